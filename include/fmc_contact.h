@@ -346,8 +346,14 @@ typedef struct {
   // is carried from one step to the next, so that what should stick creeps. 0, the default: friction with memory. Not
   // together with `friction_stiffness`.
   double memoryless_slip;
+  // Coefficient of friction of what rests, at least `friction_coefficient`, to which it falls over `weakening_slip`; 0, the default: one
+  // coefficient. A facet that sticks throughout a step rests. Not together with `memoryless_slip`.
+  double static_coefficient;
+  // Slip over which the coefficient falls from that at rest to that of what slides, in proportion, a length; positive with
+  // `static_coefficient`, else 0, the default.
+  double weakening_slip;
   // Zero. Room for options of later versions.
-  uint64_t reserved[10];
+  uint64_t reserved[8];
 } fmc_options;
 
 // Sets all options to their defaults. Afterwards set `stiffness`, unless it is to be found.
@@ -885,8 +891,13 @@ typedef struct {
   int32_t law;
   // 1: the pair is left out; it is not measured, and adds nothing to any result. Default 0.
   int32_t excluded;
+  // Coefficient of friction of what rests, at least that of what slides; 0, the default: that of the context's options, or none where
+  // `friction_coefficient` is set.
+  double static_coefficient;
+  // Slip over which it falls to that of what slides, a length; positive with `static_coefficient`, else 0, the default.
+  double weakening_slip;
   // Zero. Room for options of later versions.
-  uint64_t reserved[10];
+  uint64_t reserved[8];
 } fmc_pair_options;
 
 // Sets the options of a pair to what it has without options of its own: the law of the context, not left out.
@@ -1257,8 +1268,9 @@ fmc_status fmc_context_evaluate_tangent(fmc_context *context,
 //
 // It is the second derivative of the energy, and symmetric. The moment M about the position (that of
 // `fmc_context_obstacle_resultant` less position x force) changes by -K dtheta + 1/2 dtheta x M as the obstacle turns by dtheta. With
-// axisymmetry nothing turns, and there are only zeros. With friction, and where a body meets an obstacle by
-// the law "fiber", whose lines do not turn along, the tangent is then refused, with `FMC_ERROR_UNSUPPORTED`.
+// axisymmetry nothing turns, and there are only zeros. Friction adds what its own tangent has, unsymmetric without
+// `FMC_TANGENT_SYMMETRIC`. Where a
+// body meets an obstacle by the law "fiber", whose lines do not turn along, the tangent is refused, with `FMC_ERROR_UNSUPPORTED`.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BAD_VALUE` for another number, `FMC_ERROR_BUSY`. Threads: one call
 // at a time on a context.
@@ -2201,10 +2213,14 @@ fmc_status fmc_context_point_weights(const fmc_context *context,
 
 // ---- Restart ---------------------------------------------------------------------------------------------
 
-// The elastic slip that was carried into the step, `dim` numbers for every facet in dense rows, in the order
-// of `fmc_context_boundary_facets`: that of the facet against what it faces. With the
-// coordinates and the poses at which the step began it is all that a restart needs: `fmc_context_begin_step` there, then
-// `fmc_context_set_slip`, gives the bits of the unbroken run.
+// The elastic slip that was carried into the step: a row for every facet and each of the bodies and obstacles that it faced, where there
+// was any. With the coordinates and the poses at which the step began it is all that a restart needs: `fmc_context_begin_step` there,
+// then `fmc_context_set_slip`, gives the bits of the unbroken run.
+//
+// A row is 8 numbers: the facet, by its place in `fmc_context_boundary_facets` from 0 whatever the base; what it faces, a value of
+// `fmc_partner`, and its index for `fmc_context_body_resultant` or `fmc_context_obstacle_resultant`; 1 where the facet's body is the
+// second side of that pair, else 0; three of the slip of the facet, a length, in 2D the last 0; how far
+// it has slid since it rested, with `static_coefficient`, else 0. Rows ascend by facet, partner and side.
 //
 // `count` becomes how many numbers there are; `slip` has room for `capacity`. NULL with capacity 0: that alone is asked for.
 //
@@ -2215,13 +2231,15 @@ fmc_status fmc_context_slip(const fmc_context *context,
                             size_t capacity,
                             size_t *count);
 
-// Sets the elastic slip that was carried into the step that has begun: `count` numbers, as `fmc_context_slip` writes
-// them.
+// Sets the elastic slip that was carried into the step that has begun: `count` numbers, in rows as `fmc_context_slip` writes
+// them; what no row names has none.
 //
-// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NO_STEP`, `FMC_ERROR_LENGTH` for another count than `dim` times the
-// number of facets, `FMC_ERROR_NON_FINITE_SLIP`, `FMC_ERROR_BUSY`; the old slip then stays. Threads: one call at a
-// time on a context.
-fmc_status fmc_context_set_slip(fmc_context *context, const double *slip, size_t count);
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NO_STEP`, `FMC_ERROR_LENGTH` where the last row is not whole,
+// `FMC_ERROR_INDEX_OUT_OF_RANGE` for a row that names a facet or a partner that there is not, or one twice, or is no such row,
+// `FMC_ERROR_BAD_VALUE`, `FMC_ERROR_NON_FINITE_SLIP`, `FMC_ERROR_BUSY`; the old slip then stays. Threads: one call at a time on a context.
+fmc_status fmc_context_set_slip(fmc_context *context,
+                                const double *slip,
+                                size_t count);
 
 // The multipliers, ascending by node and partner: with the coordinates all that a restart needs, or a load step that is tried
 // again.
@@ -2334,7 +2352,7 @@ typedef struct {
   uint64_t reserved[4];
 } fmc_mesh_part;
 
-// Elastic slip of a boundary facet, by the numbers of the whole mesh.
+// Elastic slip of a boundary facet against one of the bodies and obstacles that it faced, by the numbers of the whole mesh.
 typedef struct {
   // Number of its cell in the whole mesh, counted from the option `index_base`.
   int64_t cell;
@@ -2342,8 +2360,16 @@ typedef struct {
   int32_t face;
   // Which of the facets of that face, from 0.
   int32_t part;
-  // Elastic slip; in 2D the last is 0.
+  // What it faced: a value of `fmc_partner`.
+  int32_t partner_kind;
+  // 1 where the facet's body is the second side of that pair, else 0.
+  int32_t is_second;
+  // Index of the partner for `fmc_context_body_resultant` or `fmc_context_obstacle_resultant`.
+  size_t partner;
+  // Elastic slip of the facet, a length; in 2D the last is 0.
   double slip[3];
+  // How far it has slid since it rested, with `static_coefficient`, else 0; a length.
+  double slid;
 } fmc_carried_slip;
 
 // How much of a mesh in parts was gathered: the same on all ranks, but for the own cells.
@@ -2499,16 +2525,16 @@ typedef struct {
   // Coordinates without deformation, (node_count, dim), from which the law "depth" has its depths; NULL, the default:
   // `start`.
   const double *reference;
-  // Elastic slip that was carried into the step, (facets, dim); NULL, the default: none.
+  // Elastic slip that was carried into the step, in rows of 8 numbers, as `fmc_context_slip` writes them; NULL, the default: none.
   const double *slip;
-  // Numbers in `slip`: `dim` times the number of facets, or 0.
+  // Numbers in `slip`; 0, the default: none.
   size_t slip_count;
-  // Where the elastic slip goes that is carried into the next step, (facets, dim), if the end of this one is accepted; may be
+  // Where the elastic slip goes that is carried into the next step, in such rows, if the end of this one is accepted; may be
   // `slip` itself. NULL, the default: not wanted.
   double *next_slip;
   // Numbers for which `next_slip` has room.
   size_t next_slip_capacity;
-  // Where their number goes, `dim` times the number of facets; NULL, the default: not wanted.
+  // Where their number goes; NULL, the default: not wanted. With `next_slip` NULL and no capacity it alone is asked for.
   size_t *next_slip_count;
   // Zero. Room for later versions.
   uint64_t reserved[8];

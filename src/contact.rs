@@ -20,7 +20,7 @@ pub use equilibrium::{Augmentation, CondensedBodies, ContactStep, ContactStepOpt
 pub use evaluation::Contact;
 pub(crate) use evaluation::{Needed, hash_in_common, needed};
 pub use explicit::{Accuracy, largest_eigenvalue};
-pub use friction::{Friction, FrictionTotals};
+pub use friction::{FacetSlip, Friction, FrictionTotals, StaticFriction};
 pub use history::Multiplier;
 pub use interface::{FrictionStep, contact_force, contact_force_step};
 pub use laws::{EnergyLaw, EnergyProfile, PenetrationLaw, StiffnessFrom, suggest_fiber_stiffness, suggest_stiffness};

@@ -253,6 +253,13 @@ pub enum Error {
         /// Facet, counted over the surface.
         facet: usize,
     },
+    /// A row of a carried slip names what there is not.
+    SlipRow {
+        /// The row, counted from 0.
+        row: usize,
+        /// What it names.
+        what: &'static str,
+    },
     /// Friction is asked for, but no step has begun from which slip could be counted.
     NoStep,
     /// The law has no stiffness, and none was found from that of the bodies

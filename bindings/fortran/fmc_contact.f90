@@ -496,7 +496,8 @@ contains
     end if
   end subroutine
 
-  ! Elastic slip of every facet, (dim, facets), for a restart.
+  ! Elastic slip of every facet against each that it faced, (8, rows), for a restart: facet from 0, kind and index of what it faced,
+  ! side, slip, 0.
   subroutine slip(self, values, stat)
     class(contact), intent(in) :: self
     real(c_double), intent(out), allocatable :: values(:, :)
@@ -505,7 +506,7 @@ contains
     integer(c_int32_t) :: status
     numbers = 0
     status = fmc_context_slip(self%handle, capacity=0_c_size_t, count=numbers)
-    allocate (values(self%dim, numbers / self%dim))
+    allocate (values(8, numbers / 8))
     if (status == FMC_OK) status = fmc_context_slip(self%handle, values, numbers)
     call checked(status, stat)
   end subroutine

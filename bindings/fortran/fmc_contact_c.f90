@@ -188,7 +188,9 @@ module fmc_contact_c
     real(c_double) :: cohesion
     real(c_double) :: shear_limit
     real(c_double) :: memoryless_slip
-    integer(c_int64_t) :: reserved(10)
+    real(c_double) :: static_coefficient
+    real(c_double) :: weakening_slip
+    integer(c_int64_t) :: reserved(8)
   end type
 
   type, bind(c) :: fmc_coords
@@ -271,7 +273,9 @@ module fmc_contact_c
     real(c_double) :: friction_coefficient
     integer(c_int32_t) :: law
     integer(c_int32_t) :: excluded
-    integer(c_int64_t) :: reserved(10)
+    real(c_double) :: static_coefficient
+    real(c_double) :: weakening_slip
+    integer(c_int64_t) :: reserved(8)
   end type
 
   type, bind(c) :: fmc_result
@@ -559,7 +563,11 @@ module fmc_contact_c
     integer(c_int64_t) :: cell
     integer(c_int32_t) :: face
     integer(c_int32_t) :: part
+    integer(c_int32_t) :: partner_kind
+    integer(c_int32_t) :: is_second
+    integer(c_size_t) :: partner
     real(c_double) :: slip(3)
+    real(c_double) :: slid
   end type
 
   type, bind(c) :: fmc_gathered_counts

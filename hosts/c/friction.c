@@ -22,7 +22,7 @@ static int failures = 0;
     printf("FAIL %s: %s: %s\n", #call, fmc_status_name(status_), fmc_last_error()); \
   } while (0)
 
-enum { NODES = 8, STEPS = 4 };
+enum { NODES = 8, STEPS = 4, ROOM = 64 };
 static const int32_t conn[8] = {0, 1, 2, 3, 4, 5, 6, 7};
 static const double depth = 1e-3, mu = 0.3, stiffness = 1e3;
 
@@ -39,7 +39,7 @@ static void place(double by, double coords[NODES][2]) {
 
 int main(void) {
   const double way[STEPS] = {1e-4, 1e-3, 9e-4, -1e-3};
-  double start[NODES][2], coords[NODES][2], forces[NODES][2], other[NODES][2], slip[64], kept[64], before[64];
+  double start[NODES][2], coords[NODES][2], forces[NODES][2], other[NODES][2], slip[ROOM], kept[ROOM], before[ROOM];
   double friction[NODES][2], sliding[NODES];
   int32_t status[NODES];
   fmc_options options;
@@ -59,14 +59,14 @@ int main(void) {
   EXPECT(fmc_contact_force(2, start[0], NODES, &block, 1, NULL, &options, NULL, other[0], NULL) == FMC_ERROR_NO_STEP);
   EXPECT(strstr(fmc_last_error(), "give fmc_contact_force a step") != NULL);
 
-  /* The length of the slip is learned from a call that gives none. */
+  /* The length of the slip is told by a call without room for it: nothing has slipped yet. */
   fmc_friction_step step;
   OK(fmc_friction_step_init(&step));
-  size_t length = 0;
+  size_t length = 7, next = 0;
   step.start = start[0];
   step.next_slip_count = &length;
   OK(fmc_contact_force(2, start[0], NODES, &block, 1, NULL, &options, &step, other[0], NULL));
-  EXPECT(length == 16);
+  EXPECT(length == 0);
   memset(slip, 0, sizeof slip);
 
   double reference[NODES][2];
@@ -93,13 +93,19 @@ int main(void) {
     step.start = start[0];
     step.reference = reference[0];
     step.slip = step.next_slip = slip;
-    step.slip_count = step.next_slip_capacity = length;
+    step.slip_count = length;
+    step.next_slip_capacity = ROOM;
+    step.next_slip_count = &next;
     memcpy(before, slip, sizeof slip);
     double volume = -1;
     OK(fmc_contact_force(2, coords[0], NODES, &block, 1, NULL, &options, &step, other[0], &volume));
     EXPECT(memcmp(forces, other, sizeof forces) == 0 && volume == result.volume);
     OK(fmc_context_commit_step(context, &at));
-    OK(fmc_context_slip(context, kept, 64, NULL));
+    /* Rows of 8 numbers: a facet of either block, and what it faces. */
+    EXPECT(next >= 16 && next % 8 == 0 && slip[2] == 1 && slip[next - 8 + 2] == 0);
+    length = next;
+    OK(fmc_context_slip(context, kept, ROOM, &next));
+    EXPECT(next == length);
     EXPECT(memcmp(kept, slip, length * sizeof *slip) == 0 && memcmp(before, slip, sizeof slip) != 0);
     memcpy(start, coords, sizeof start);
   }
@@ -119,6 +125,12 @@ int main(void) {
          FMC_ERROR_BUFFER_TOO_SMALL);
   EXPECT(told == 7 && memcmp(before, slip, sizeof slip) == 0 && other[4][1] == 0);
   step.next_slip_capacity = length;
+  slip[8] = slip[0];
+  slip[10] = slip[2];
+  slip[11] = slip[3];
+  EXPECT(fmc_contact_force(2, coords[0], NODES, &block, 1, NULL, &options, &step, other[0], NULL) ==
+         FMC_ERROR_INDEX_OUT_OF_RANGE);
+  memcpy(slip, before, sizeof slip);
   slip[5] = NAN;
   EXPECT(fmc_contact_force(2, coords[0], NODES, &block, 1, NULL, &options, &step, other[0], NULL) ==
          FMC_ERROR_NON_FINITE_SLIP);

@@ -280,7 +280,7 @@ class Context : public AddsShapes<Context> {
   }
   void release_patches() { call(fmc_context_keep_patches(get(), nullptr, nullptr)); }
 
-  // Friction: steps begun and accepted, friction frozen for outer iterations, the elastic slip for a restart, (facets, dim).
+  // Friction: steps begun and accepted, friction frozen for outer iterations, the elastic slip for a restart, (rows, 8).
   void begin_step(Coords coords) { at(fmc_context_begin_step, coords); }
   void commit_step(Coords coords) { at(fmc_context_commit_step, coords); }
   void freeze_friction(Coords coords) { at(fmc_context_freeze_friction, coords); }

@@ -309,7 +309,7 @@ struct ContactForces {
 struct FrictionStep {
   Coords start;                   // coordinates at which it began
   Coords reference = {};          // those without deformation; empty: `start`
-  std::vector<double> slip = {};  // elastic slip that was carried into it, (facets, dim); empty: none
+  std::vector<double> slip = {};  // elastic slip that was carried into it, (rows, 8); empty: none
   std::vector<double> next_slip = {};  // receives what is carried into the next one
 };
 

@@ -23,4 +23,5 @@ pub(super) mod placement;
 pub(super) mod pose;
 pub(super) mod shape;
 pub(super) mod signed_distance;
+pub(super) mod slip_row;
 pub(super) mod view;

@@ -7,13 +7,15 @@
 //! ```
 //!
 //! `options` · `return_mapping` (from slip to traction) · `past_points`, `step` (the state when
-//! the step began) · `side_motion` (how one side moved since) · `touch` (the part of the step during which a facet bears) · `carriers` (the facets on which a point
-//! lies) · `facet_sums` (sums over the points of a facet) · `slip_facets` (the facets of a pair with their slip) ·
+//! the step began) · `side_motion` (how one side moved since) · `touch` (the part of the step during which a facet bears) · `carried` (elastic slip from one step to the next) · `carriers` (the facets on which a point
+//! lies) · `energy` (what a facet has dissipated) · `facet_sums` (sums over the points of a facet) · `slip_facets` (the facets of a pair with their slip) ·
 //! `tractions` (forces, tangent and energies of a pair) · `frozen` (facets and pressure of an earlier iteration) ·
 //! `at_points` (what hosts see)
 
 mod at_points;
+mod carried;
 mod carriers;
+mod energy;
 mod facet_sums;
 mod frozen;
 mod options;
@@ -26,8 +28,10 @@ mod touch;
 mod tractions;
 
 pub(super) use at_points::{NodalFriction, PointFriction};
+pub use carried::FacetSlip;
+pub(super) use carried::{CarriedSlip, list as list_slip, of_list as slip_of_list};
 pub(super) use frozen::FrozenFriction;
-pub use options::Friction;
+pub use options::{Friction, StaticFriction};
 pub(super) use past_points::PastPoints;
 pub(super) use return_mapping::Stick;
 pub(super) use slip_facets::SlipFacets;

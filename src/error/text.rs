@@ -122,6 +122,7 @@ impl fmt::Display for Error {
             }
             Error::Place { code } => write!(f, "the function that places the nodes returned {code}"),
             Error::NonFiniteSlip { facet } => write!(f, "the slip of facet {facet} is not finite"),
+            Error::SlipRow { row, what } => write!(f, "row {row} of the slip, counted from 0, names {what}"),
             Error::NoStep => {
                 write!(
                     f,

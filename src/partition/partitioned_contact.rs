@@ -346,8 +346,9 @@ impl<const D: usize> PartitionedContact<D> {
     /// Numbers of the cells whose facets carry slip.
     fn cells_with_slip(&self) -> Vec<u64> {
         let slip = self.contact.slip().unwrap_or_default();
-        let carries = self.zone.facets.iter().zip(slip).filter(|(_, slip)| **slip != [0.0; D]);
-        carries.map(|(facet, _)| facet.cell).collect()
+        let mut cells: Vec<u64> = slip.iter().map(|of| self.zone.facets[of.facet].cell).collect();
+        cells.dedup();
+        cells
     }
 }
 

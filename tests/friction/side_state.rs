@@ -2,14 +2,14 @@
 
 use crate::scene::Scene;
 use crate::{STIFFNESS, begun, in_plane, laws, raised, slid};
-use fmc_contact::contact::{Friction, PairOptions};
+use fmc_contact::contact::{FacetSlip, Friction, PairOptions};
 use fmc_contact::overlap::Partner;
 use fmc_contact::{EnergyLaw, Obstacle, Options, Pose, Shape};
 use fmc_shapes::rectangle_quad4;
 
-/// A facet below two blocks that slide apart carries the mean of both slips, by the areas in contact.
+/// A facet below two blocks has a slider for each, as if it were alone with it.
 #[test]
-fn a_facet_that_faces_two_partners_carries_the_mean() {
+fn a_facet_that_faces_two_partners_carries_a_slip_for_each() {
     let (widths, slips) = ([0.4, 0.6], [1e-5, -3e-5]);
     let block = |left: f64, width: f64| rectangle_quad4([left, -1e-3], [left + width, 0.5], [1, 1]);
     let below = rectangle_quad4([-1.0, -0.5], [1.0, 0.0], [1, 1]);
@@ -27,15 +27,40 @@ fn a_facet_that_faces_two_partners_carries_the_mean() {
             }
             contact.begin_step(&scene.coords).expect("valid coordinates");
             contact.commit_step(&coords).expect("a step");
-            let facets = contact.boundary_facets();
-            let top =
-                facets.iter().position(|facet| facet.nodes.iter().all(|&n| n < 4 && coords[n as usize][1] == 0.0));
-            contact.slip().expect("a step")[top.expect("a facet on top")]
+            contact.slip().expect("a step")
         };
         let (both, first, second) = (carried(&[]), carried(&[2]), carried(&[1]));
-        assert!((first[0] + second[0]).abs() > 1e-5, "{options:?}: {first:?} {second:?}");
-        let mean = (widths[0] * first[0] + widths[1] * second[0]) / (widths[0] + widths[1]);
-        assert!((both[0] - mean).abs() < 1e-6 * mean.abs(), "{options:?}: {both:?}, not {mean}");
+        let of_table = |list: &[FacetSlip<2>], partner| -> Vec<FacetSlip<2>> {
+            list.iter().filter(|one| one.partner == Partner::Body(partner) && !one.is_second).copied().collect()
+        };
+        for (partner, alone) in [(1, &first), (2, &second)] {
+            let own = of_table(&both, partner);
+            assert!(own == of_table(alone, partner) && own.len() == 1, "{options:?}: {own:?}");
+            let expected = -slips[partner - 1];
+            assert!((own[0].slip[0] - expected).abs() < 1e-6 * expected.abs(), "{options:?}: {own:?}");
+        }
+    }
+}
+
+/// A block at rest beside one that slides, on one coarse facet: nothing of that reaches it.
+#[test]
+fn a_block_at_rest_is_not_dragged_by_one_that_slides_on_the_same_facet() {
+    let block = |left: f64| rectangle_quad4([left, -1e-3], [left + 0.5, 0.5], [4, 4]);
+    let table = rectangle_quad4([-2.0, -1.0], [2.0, 0.0], [1, 1]);
+    let scene = Scene::of(&[&table, &block(-1.0), &block(0.5)]);
+    for options in laws(0.3) {
+        let mut contact = begun(&scene, options, &scene.coords);
+        for step in 1..=20 {
+            let coords = slid(&scene, 2e-4 * f64::from(step));
+            let found = contact.evaluate(&coords).expect("forces");
+            let normal = found.bodies[2].force[1] - found.bodies[2].friction[1];
+            assert!(found.bodies[2].friction[0].abs() < 1e-12 * normal, "{options:?}: {:?}", found.bodies[2].friction);
+            if step == 20 {
+                let [sliding, pressed] = [found.bodies[1].friction[0], found.bodies[1].force[1]];
+                assert!((sliding / (-0.3 * pressed) - 1.0).abs() < 1e-9, "{options:?}: {sliding} {pressed}");
+            }
+            contact.commit_step(&coords).expect("a step");
+        }
     }
 }
 
@@ -48,7 +73,16 @@ fn another_slip_releases_frozen_friction() {
         let mut contact = begun(scene, options, &scene.coords);
         contact.freeze_friction(&frozen_at).expect("a step has begun");
         let frozen = contact.evaluate(&at).expect("forces").forces;
-        let slip = vec![[1e-5, 0.0]; contact.slip().expect("a step").len()];
+        let facets = contact.boundary_facets();
+        let slip: Vec<FacetSlip<2>> = (facets.iter().enumerate())
+            .map(|(facet, of)| FacetSlip {
+                facet,
+                partner: Partner::Body(1 - of.body),
+                is_second: of.body == 1,
+                slip: [1e-5, 0.0],
+                slid: 0.0,
+            })
+            .collect();
         contact.set_slip(&slip).expect("a slip");
         let released = contact.evaluate(&at).expect("forces").forces;
         let mut fresh = begun(scene, options, &scene.coords);

@@ -134,8 +134,82 @@ fn in_space() {
     }
 }
 
+/// The part of friction in the tangent, against differences: of a block that sticks to a plane, or slides on it, as both move and the
+/// plane turns. What the tangent leaves out is of the size of the penetration by that of the facets.
+fn rubs<const D: usize>(mesh: &Mesh<D>, plane: Pose<D>, along: [f64; D], depth: f64) {
+    let scene = Scene::of(&[mesh]);
+    let most = 0.5 * depth / 0.3 * 4.0;
+    for by in [0.1 * depth, 2.0 * depth] {
+        let options = exactly(EnergyLaw::depth(1e3));
+        let [mut rough, mut smooth] = [Friction::coulomb(0.3), Friction::default()]
+            .map(|friction| scene.contact(Options { friction, ..options }));
+        let start = scene.coords.clone();
+        let coords: Vec<[f64; D]> = start.iter().map(|x| std::array::from_fn(|i| x[i] + by * along[i])).collect();
+        for contact in [&mut rough, &mut smooth] {
+            contact.add_obstacle(Obstacle { shape: Shape::HalfSpace, pose: plane }).unwrap();
+            contact.begin_step(&start).unwrap();
+            contact.set_obstacle_rotations(true);
+        }
+        let mut random = Splitmix::new(3);
+        let [with, without] = [&rough, &smooth].map(|contact| contact.tangent(&coords, TangentPart::Full).unwrap());
+        let symmetric = rough.tangent(&coords, TangentPart::Semidefinite).unwrap();
+        let nodes = coords.len();
+        let mut largest = (0.0f64, 0.0f64);
+        for turns in [true, true, false] {
+            let mut direction: Vec<[f64; D]> =
+                (0..nodes + 2).map(|_| std::array::from_fn(|_| random.between(-1.0, 1.0))).collect();
+            if turns {
+                direction[..=nodes].iter_mut().for_each(|x| *x = [0.0; D]);
+            }
+            if D == 2 {
+                direction[nodes + 1][1] = 0.0;
+            }
+            let mut at = |h: f64| {
+                let moved = |x: &[f64; D], d: &[f64; D]| -> [f64; D] { std::array::from_fn(|i| x[i] + h * d[i]) };
+                let here: Vec<[f64; D]> = coords.iter().zip(&direction).map(|(x, d)| moved(x, d)).collect();
+                let mut pose = turned(&plane, &direction[nodes + 1].map(|turn| h * turn));
+                pose.position = moved(&pose.position, &direction[nodes]);
+                let [one, other] = [&mut rough, &mut smooth].map(|contact| {
+                    contact.set_pose(0, pose).unwrap();
+                    let found = all(contact, &here);
+                    contact.set_pose(0, plane).unwrap();
+                    found
+                });
+                one.into_iter().flatten().zip(other.into_iter().flatten()).map(|(f, g)| f - g).collect::<Vec<f64>>()
+            };
+            let h = 1e-5 * depth;
+            let (plus, minus) = (at(h), at(-h));
+            let (p, q) = (with.product(&direction), without.product(&direction));
+            for (n, (p, q)) in p.iter().flatten().zip(q.iter().flatten()).enumerate() {
+                let slope = (minus[n] - plus[n]) / (2.0 * h);
+                largest = (largest.0.max((slope - (p - q)).abs()), largest.1.max((p - q).abs()));
+            }
+        }
+        println!("{D}D by {by}: {:.2e} of {most:.2e}", largest.0 / largest.1);
+        assert!(largest.0 < most * largest.1, "{D}D by {by}: {} of {}", largest.0, largest.1);
+        let mut matrix = nalgebra::DMatrix::<f64>::zeros((nodes + 2) * D, (nodes + 2) * D);
+        symmetric.triplets().for_each(|(row, col, value)| matrix[(row, col)] += value);
+        assert!((&matrix - matrix.transpose()).amax() <= 1e-12 * matrix.amax());
+        let eigenvalues = matrix.symmetric_eigenvalues();
+        assert!(eigenvalues.min() >= -1e-11 * eigenvalues.max(), "{}", eigenvalues.min());
+    }
+}
+
 #[test]
-fn not_with_friction_nor_lines_nor_on_rings() {
+fn with_friction() {
+    let depth = 1e-3;
+    let plane = Pose::at([0.3, 0.1]).turned(0.2);
+    let (s, c) = 0.2f64.sin_cos();
+    let block = rectangle_quad4([0.0, 0.0], [0.9, 0.6], [3, 2]);
+    let place = |[x, y]: [f64; 2]| [0.1 + c * x - s * (y - depth), c * (y - depth) + s * x + 0.1 - 0.2 * s / c];
+    let block = Mesh { coords: block.coords.iter().map(|x| place(*x)).collect(), ..block };
+    rubs(&block, plane, [c, s], depth);
+    let plane = Pose::at([0.4, 0.3, 0.0]);
+    rubs(&cuboid_hex8([0.0, 0.0, -depth], [0.9, 0.6, 0.6], [3, 2, 1]), plane, [0.8, 0.6, 0.0], depth);
+}
+
+#[test]
+fn not_with_lines_nor_on_rings() {
     let mesh = rectangle_quad4([1.0, -0.1], [2.0, 1.0], [2, 2]);
     let plane = || Obstacle { shape: Shape::HalfSpace, pose: Pose::default() };
     let law = exactly(EnergyLaw::depth(1.0));
@@ -149,8 +223,7 @@ fn not_with_friction_nor_lines_nor_on_rings() {
     rubbed.add_obstacle(plane()).unwrap();
     rubbed.begin_step(&scene.coords).unwrap();
     rubbed.set_obstacle_rotations(true);
-    let refused = rubbed.tangent(&scene.coords, TangentPart::Full);
-    assert!(matches!(refused, Err(Error::Unsupported { what }) if what.contains("rotation of obstacles")));
+    assert!(rubbed.tangent(&scene.coords, TangentPart::Full).is_ok());
     let mut by_lines = scene.contact(exactly(EnergyLaw::fiber(1.0)));
     by_lines.add_obstacle(plane()).unwrap();
     by_lines.set_obstacle_rotations(true);

@@ -91,7 +91,7 @@ fn forces_are_those_of_cells_in_space() {
     }
 }
 
-/// The same with friction, which has one row of slip for every straight facet.
+/// The same with friction, whose slip is that of straight facets.
 #[test]
 fn friction_is_that_of_cells() {
     let lower = boxes([-0.5, -0.5, -1.0], [1.5, 1.5, 0.0], [2; 3]);
@@ -110,7 +110,8 @@ fn friction_is_that_of_cells() {
             contact.begin_step(&start).expect("a step");
             let at = contact.evaluate(&end).expect("forces");
             contact.commit_step(&end).expect("a step");
-            assert_eq!(contact.slip().expect("slip").len(), contact.surface().facet_count());
+            let (slip, count) = (contact.slip().expect("slip"), contact.surface().facet_count());
+            assert!(!slip.is_empty() && slip.iter().all(|one| one.facet < count));
             (at.forces, at.friction.dissipated)
         });
         assert!(energy > 0.0 && (energy - of_facets).abs() < 1e-12 * energy, "{energy} {of_facets}");

@@ -3,7 +3,7 @@
 use crate::looks::{look, same};
 use crate::problem::{DELTA, Problem, moved, problems};
 use crate::settings::settings;
-use fmc_contact::contact::{Friction, Multiplier, PairOptions};
+use fmc_contact::contact::{FacetSlip, Friction, Multiplier, PairOptions};
 use fmc_contact::overlap::Partner::{self, Body, Obstacle as Rigid};
 use fmc_contact::{Basis, Communicator, Contact, EnergyLaw, Error, Obstacle, Options, Pose, Shape};
 
@@ -113,15 +113,25 @@ fn bad_coords(coords: &[[f64; 2]]) -> [Vec<[f64; 2]>; 3] {
 fn history(coords: &[[f64; 2]]) -> Vec<Refused> {
     let row = |node, partner, shift, towards| Multiplier { node, partners: [Body(1), partner], shift, towards };
     let multipliers = move |row: Multiplier<2>| refused(move |contact| contact.set_multipliers(&[row]));
+    let slips = |facet, partner, is_second, size| {
+        refused(move |contact| {
+            contact.set_slip(&[FacetSlip { facet, partner, is_second, slip: [size, 0.0], slid: 0.0 }])
+        })
+    };
     let mut calls = vec![
         multipliers(row(9_999, Body(0), 1e-4, [0.0, 1.0])),
         multipliers(row(3, Rigid(7), 1e-4, [0.0, 1.0])),
         multipliers(row(3, Body(0), 0.0, [0.0, 1.0])),
         multipliers(row(3, Body(0), 1e-4, [0.0, 0.0])),
-        refused(|contact| contact.set_slip(&[[0.0; 2]; 3])),
+        slips(9_999, Body(1), false, 0.0),
+        slips(0, Body(7), false, 0.0),
+        slips(0, Rigid(7), false, 0.0),
+        slips(0, Rigid(0), true, 0.0),
+        slips(0, Body(1), true, 0.0),
+        slips(0, Body(1), false, f64::INFINITY),
         refused(|contact| {
-            let count = contact.boundary_facets().len();
-            contact.set_slip(&vec![[f64::INFINITY; 2]; count])
+            let one = FacetSlip { facet: 0, partner: Body(1), is_second: false, slip: [1e-6, 0.0], slid: 0.0 };
+            contact.set_slip(&[one, one])
         }),
     ];
     let good = coords.to_vec();

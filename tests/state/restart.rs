@@ -20,7 +20,7 @@ fn a_restart_goes_on_as_if_nothing_had_stopped() {
             }
             let mut other = problem.contact(&scene);
             other.begin_step(if problem.has_friction() { now } else { &path[0] }).expect("a step");
-            other.set_slip(contact.slip().expect("a step")).expect("a slip");
+            other.set_slip(&contact.slip().expect("a step")).expect("a slip");
             other.set_multipliers(&contact.multipliers()).expect("multipliers");
             same(&look(&other, next), &look(&contact, next), &|| format!("{problem:?}"));
             if problem.has_friction() {

@@ -6,7 +6,7 @@ use crate::one_rank::OneRank;
 use crate::problem::{DELTA, Problem, STIFFNESS, moved, wall};
 use crate::scene::Scene;
 use crate::scene::fibers;
-use fmc_contact::contact::{Friction, Multiplier, PairOptions};
+use fmc_contact::contact::{FacetSlip, Friction, Multiplier, PairOptions};
 use fmc_contact::overlap::Partner::{self, Body, Obstacle as Rigid};
 use fmc_contact::{Basis, Contact, EnergyLaw, Error, FiberOptions, Obstacle, Options, Pose, Shape};
 
@@ -290,8 +290,16 @@ fn steps(problem: Problem, scene: &Scene<2>) -> Vec<Setting> {
         "step",
         move |contact| {
             contact.begin_step(&start)?;
-            let count = contact.slip()?.len();
-            let slip: Vec<[f64; 2]> = (0..count).map(|facet| [1e-6 * (facet as f64 - 9.0), 0.0]).collect();
+            let facets = contact.boundary_facets();
+            let slip: Vec<FacetSlip<2>> = (facets.iter().enumerate())
+                .map(|(facet, of)| FacetSlip {
+                    facet,
+                    partner: Body(1 - of.body),
+                    is_second: of.body == 1,
+                    slip: [1e-6 * (facet as f64 - 9.0), 0.0],
+                    slid: 0.0,
+                })
+                .collect();
             contact.set_slip(&slip)
         },
         vec![begin(elsewhere.clone()), committed],

@@ -368,7 +368,7 @@ void a_mesh_in_parts() {
   EXPECT(refused(FMC_ERROR_UNSUPPORTED, "fmc_context_new_from_part", [&] { whole.set_coords(coords); }));
   EXPECT(refused(FMC_ERROR_LENGTH, "", [&] { parts.set_coords(Numbers(14, 0.0)); }));
   EXPECT(refused(FMC_ERROR_NON_FINITE_COORDINATE, "node 2", [&] { auto bad = coords; bad[5] = NAN; parts.set_coords(bad); }));
-  EXPECT(refused(FMC_ERROR_UNSUPPORTED, "not gathered", [&] { parts.set_carried_slip(std::vector<fmc_carried_slip>{{7, 0, 0, {}}}); }));
+  EXPECT(refused(FMC_ERROR_UNSUPPORTED, "not gathered", [&] { parts.set_carried_slip(std::vector<fmc_carried_slip>{{7, 0, 0, 0, 0, 1, {}, 0}}); }));
 }
 
 void friction_and_patches() {
@@ -410,11 +410,12 @@ void friction_and_patches() {
   EXPECT(fmc::contact_force(2, placed(0), {{FMC_QUAD4, quads}}, options, {}, &once).forces != expected);
 
   const auto kept = contact.slip();
-  contact.set_slip(Numbers(kept.size()));
+  contact.set_slip(Numbers());
   EXPECT(contact.slip() != kept);
   contact.set_slip(kept);
   EXPECT(contact.slip() == kept);
   EXPECT(refused(FMC_ERROR_LENGTH, "", [&] { contact.set_slip({1.0}); }));
+  EXPECT(refused(FMC_ERROR_INDEX_OUT_OF_RANGE, "row 0", [&] { contact.set_slip(Numbers(8, 0.5)); }));
   step.start = fmc::Coords(start.data(), 14);
   EXPECT(refused(FMC_ERROR_LENGTH, "start", [&] { fmc::contact_force(2, start, {{FMC_QUAD4, quads}}, options, {}, &step); }));
   contact.freeze_friction(start);

@@ -167,6 +167,7 @@ impl Contact {
             }),
         };
         let friction = Friction {
+            at_rest: None,
             coefficient: self.friction_coefficient,
             stiffness: self.friction_stiffness,
             cohesion: self.cohesion,

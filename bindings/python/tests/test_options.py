@@ -34,6 +34,8 @@ CHANGES = {
     "cohesion": 0.5,
     "shear_limit": 7.0,
     "memoryless_slip": 0.125,
+    "static_coefficient": 0.5,
+    "weakening_slip": 1e-3,
     "threads": 3,
     "index_base": 1,
 }

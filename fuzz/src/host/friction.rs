@@ -12,9 +12,18 @@ impl Host {
         let coords = Array::new(&self.mesh.coords, self.mesh.dim, read);
         let view = coords.view;
         let coords = unless(hole, 0, (&raw const view).cast_mut()).cast_const();
-        let count = self.mesh.dim * self.facet_count();
-        let length = count.saturating_sub(usize::from(what > 250));
-        let slip = Guarded::new(&vec![value; length]);
+        // Rows of 8 numbers; some name what there is not, and one is not whole.
+        let rows = usize::from(what / 5 % 8);
+        let row = |facet: usize| {
+            let (facet, second) = (facet as f64, f64::from(what / 40 % 2));
+            [facet, second, 0.0, f64::from(what / 80 % 2), value, 0.0, 0.0, 0.0]
+        };
+        let mut numbers: Vec<f64> = (0..rows).flat_map(row).collect();
+        if what > 250 {
+            numbers.pop();
+        }
+        let length = numbers.len();
+        let slip = Guarded::new(&numbers);
         // SAFETY: a living context or NULL, a view or NULL, as many numbers as it says.
         unsafe {
             match what % 5 {
@@ -25,16 +34,6 @@ impl Host {
                 _ => checked(fmc_context_slip(self.context, unless(hole, 1, slip.ptr()), length, std::ptr::null_mut())),
             };
         }
-    }
-
-    /// Facets of the context's surface.
-    fn facet_count(&self) -> usize {
-        let mut count = 0;
-        // SAFETY: a living context or NULL, and room for one number.
-        checked(unsafe {
-            fmc_context_counts(self.context, std::ptr::null_mut(), &raw mut count, std::ptr::null_mut())
-        });
-        count
     }
 
     pub(super) fn set_symmetry_nodes(&mut self, nodes: &[u8], hole: Hole) {

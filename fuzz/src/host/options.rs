@@ -43,6 +43,7 @@ pub(super) fn options(from: &Options, is_ordinary: bool) -> fmc_options {
     match from.choices >> 14 {
         2 => options.shear_limit = 0.5,
         3 => options.axisymmetric = 1,
+        1 => (options.static_coefficient, options.weakening_slip) = (options.friction_coefficient + 0.25, 0.125),
         _ => {}
     }
     options.index_base = i32::from(from.index_base);

@@ -18,7 +18,9 @@ impl Host {
             friction_coefficient: 0.0,
             law: 77,
             excluded: 77,
-            reserved: [77; 10],
+            static_coefficient: 0.0,
+            weakening_slip: 0.0,
+            reserved: [77; 8],
         };
         // SAFETY: the host's own context, and structs of the header's size.
         unsafe {

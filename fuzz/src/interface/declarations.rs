@@ -212,7 +212,9 @@ pub struct fmc_options {
     pub cohesion: f64,
     pub shear_limit: f64,
     pub memoryless_slip: f64,
-    pub reserved: [u64; 10],
+    pub static_coefficient: f64,
+    pub weakening_slip: f64,
+    pub reserved: [u64; 8],
 }
 
 #[repr(C)]
@@ -313,7 +315,9 @@ pub struct fmc_pair_options {
     pub friction_coefficient: f64,
     pub law: i32,
     pub excluded: i32,
-    pub reserved: [u64; 10],
+    pub static_coefficient: f64,
+    pub weakening_slip: f64,
+    pub reserved: [u64; 8],
 }
 
 #[repr(C)]
@@ -647,7 +651,11 @@ pub struct fmc_carried_slip {
     pub cell: i64,
     pub face: i32,
     pub part: i32,
+    pub partner_kind: i32,
+    pub is_second: i32,
+    pub partner: usize,
     pub slip: [f64; 3],
+    pub slid: f64,
 }
 
 #[repr(C)]

@@ -1,11 +1,13 @@
 //! A mesh that ranks hold in parts, with its dimension hidden.
 
+use super::evaluation::side_of;
+use super::partner::partner;
 use super::view::{check_node_count, fmc_coords};
 use crate::capi::boundary::failure::Failure;
 use crate::capi::boundary::status::fmc_status::FMC_ERROR_UNSUPPORTED;
 use crate::{CarriedSlip, GatheredCounts, PartitionedContact};
 
-/// Elastic slip of a boundary facet, by the numbers of the whole mesh.
+/// Elastic slip of a boundary facet against one of the bodies and obstacles that it faced, by the numbers of the whole mesh.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct fmc_carried_slip {
@@ -15,8 +17,16 @@ pub struct fmc_carried_slip {
     pub face: i32,
     /// Which of the facets of that face, from 0.
     pub part: i32,
-    /// Elastic slip; in 2D the last is 0.
+    /// What it faced: a value of `fmc_partner`.
+    pub partner_kind: i32,
+    /// 1 where the facet's body is the second side of that pair, else 0.
+    pub is_second: i32,
+    /// Index of the partner for `fmc_context_body_resultant` or `fmc_context_obstacle_resultant`.
+    pub partner: usize,
+    /// Elastic slip of the facet, a length; in 2D the last is 0.
     pub slip: [f64; 3],
+    /// How far it has slid since it rested, with `static_coefficient`, else 0; a length.
+    pub slid: f64,
 }
 
 /// A mesh in parts, with its dimension hidden.
@@ -75,24 +85,37 @@ impl<const D: usize> InParts for PartitionedContact<D> {
     }
 
     fn carried_slip(&self, index_base: i32) -> Result<Vec<fmc_carried_slip>, Failure> {
-        let carried = self.slip()?.into_iter().map(|CarriedSlip { cell, face, part, slip }| fmc_carried_slip {
-            cell: cell as i64 + i64::from(index_base),
-            face: face as i32,
-            part: part as i32,
-            slip: std::array::from_fn(|axis| slip.get(axis).copied().unwrap_or(0.0)),
-        });
-        Ok(carried.collect())
+        let one = |of: CarriedSlip<D>| {
+            let (partner_kind, partner) = side_of(of.partner);
+            fmc_carried_slip {
+                cell: of.cell as i64 + i64::from(index_base),
+                face: of.face as i32,
+                part: of.part as i32,
+                partner_kind,
+                is_second: i32::from(of.is_second),
+                partner,
+                slip: std::array::from_fn(|axis| of.slip.get(axis).copied().unwrap_or(0.0)),
+                slid: of.slid,
+            }
+        };
+        Ok(self.slip()?.into_iter().map(one).collect())
     }
 
     fn set_carried_slip(&mut self, carried: &[fmc_carried_slip], index_base: i32) -> Result<(), Failure> {
         // What is negative names no facet, as what is too large.
-        let carried = carried.iter().map(|of| CarriedSlip {
-            cell: of.cell.wrapping_sub(index_base.into()) as u64,
-            face: of.face as u32,
-            part: of.part as u32,
-            slip: std::array::from_fn(|axis| of.slip[axis]),
-        });
-        Ok(self.set_slip(&carried.collect::<Vec<_>>())?)
+        let one = |of: &fmc_carried_slip| {
+            Ok(CarriedSlip {
+                cell: of.cell.wrapping_sub(index_base.into()) as u64,
+                face: of.face as u32,
+                part: of.part as u32,
+                partner: partner(of.partner_kind, of.partner)?,
+                is_second: of.is_second != 0,
+                slip: std::array::from_fn(|axis| of.slip[axis]),
+                slid: of.slid,
+            })
+        };
+        let carried = carried.iter().map(one).collect::<Result<Vec<_>, Failure>>()?;
+        Ok(self.set_slip(&carried)?)
     }
 }
 

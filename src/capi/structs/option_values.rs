@@ -6,7 +6,7 @@ use super::options::{fmc_estimator, fmc_options, fmc_pattern, fmc_weights};
 use crate::capi::boundary::failure::Failure;
 use crate::capi::boundary::given_struct::check_struct;
 use crate::capi::boundary::status::fmc_status::FMC_ERROR_OPTIONS_CONFLICT;
-use crate::contact::Friction;
+use crate::contact::{Friction, StaticFriction};
 use crate::{EnergyLaw, Error, Estimator, FiberOptions, FiberPattern, LineWeights, Options, Resolution};
 
 const SWITCH: &[(i32, &str)] = &[(0, "0"), (1, "1")];
@@ -40,6 +40,11 @@ pub(crate) const AXISYMMETRIC: Choice = Choice { key: "axisymmetric", values: SW
 pub(crate) const INDEX_BASE: Choice = Choice { key: "index_base", values: SWITCH };
 /// Of a pair.
 pub(crate) const EXCLUDED: Choice = Choice { key: "excluded", values: SWITCH };
+
+/// Friction of what rests, if either is set.
+pub(crate) fn static_friction(coefficient: f64, weakening_slip: f64) -> Option<StaticFriction> {
+    (coefficient != 0.0 || weakening_slip != 0.0).then_some(StaticFriction { coefficient, weakening_slip })
+}
 
 impl fmc_options {
     /// Whether the struct was initialised, and asks for nothing that only a later version knows.
@@ -108,6 +113,7 @@ impl fmc_options {
     fn friction(&self) -> Friction {
         Friction {
             coefficient: self.friction_coefficient,
+            at_rest: static_friction(self.static_coefficient, self.weakening_slip),
             stiffness: (self.friction_stiffness != 0.0).then_some(self.friction_stiffness),
             memoryless_slip: (self.memoryless_slip != 0.0).then_some(self.memoryless_slip),
             cohesion: self.cohesion,

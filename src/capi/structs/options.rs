@@ -102,8 +102,14 @@ pub struct fmc_options {
     /// is carried from one step to the next, so that what should stick creeps. 0, the default: friction with memory. Not
     /// together with `friction_stiffness`.
     pub memoryless_slip: f64,
+    /// Coefficient of friction of what rests, at least `friction_coefficient`, to which it falls over `weakening_slip`; 0, the default: one
+    /// coefficient. A facet that sticks throughout a step rests. Not together with `memoryless_slip`.
+    pub static_coefficient: f64,
+    /// Slip over which the coefficient falls from that at rest to that of what slides, in proportion, a length; positive with
+    /// `static_coefficient`, else 0, the default.
+    pub weakening_slip: f64,
     /// Zero. Room for options of later versions.
-    pub reserved: [u64; 10],
+    pub reserved: [u64; 8],
 }
 
 impl Default for fmc_options {
@@ -132,7 +138,9 @@ impl Default for fmc_options {
             cohesion: 0.0,
             shear_limit: 0.0,
             memoryless_slip: 0.0,
-            reserved: [0; 10],
+            static_coefficient: 0.0,
+            weakening_slip: 0.0,
+            reserved: [0; 8],
         }
     }
 }

@@ -2,17 +2,17 @@
 
 use crate::Error;
 use crate::contact::evaluation::{Contact, kernels};
-use crate::contact::friction::{FrozenFriction, PastPoints, SlipFacets, Step};
+use crate::contact::friction::{
+    CarriedSlip, FacetSlip, FrozenFriction, PastPoints, SlipFacets, Step, list_slip, slip_of_list,
+};
 use crate::contact::history::{Bearings, Begun};
-use crate::geometry::Vector;
 
 /// Begins a step at these coordinates. On an error nothing has changed.
 pub(crate) fn begin<const D: usize>(contact: &mut Contact<D>, coords: &[[f64; D]]) -> Result<(), Error> {
     contact.mesh.check_brought(coords)?;
     contact.mesh.surface.check_coords(&contact.mesh.points(coords)?, true)?;
     let before = contact.history.step.take();
-    let none = || vec![[0.0; D]; contact.mesh.surface.facets.len()];
-    let slip = before.as_ref().map_or_else(none, |step| step.slip.clone());
+    let slip = before.as_ref().map_or_else(CarriedSlip::new, |step| step.slip.clone());
     let begun = step_at(contact, coords, slip)?;
     contact.history.step = Some(begun.clone());
     match bearings(contact, || kernels::slip_facets(contact, coords)) {
@@ -29,20 +29,27 @@ pub(crate) fn begin<const D: usize>(contact: &mut Contact<D>, coords: &[[f64; D]
 pub(crate) fn commit<const D: usize>(contact: &mut Contact<D>, coords: &[[f64; D]]) -> Result<(), Error> {
     contact.history.step()?;
     contact.mesh.check_brought(coords)?;
-    let mut sums = vec![(0.0, Vector::<D>::zeros()); contact.mesh.surface.facets.len()];
     let pairs = kernels::slip_facets(contact, coords)?;
-    for pair in &pairs {
-        pair.for_each_elastic_slip(|facet, area, slip| {
-            sums[facet].0 += area;
-            sums[facet].1 += slip * area;
-        });
-    }
-    // A facet that faces several partners carries the mean.
-    let slip = sums.iter().map(|(area, sum)| if *area > 0.0 { (sum / *area).into() } else { [0.0; D] });
-    let next = step_at(contact, coords, slip.collect())?;
+    let slip = pairs.iter().flat_map(SlipFacets::carried).collect();
+    let next = step_at(contact, coords, slip)?;
     let bearings = bearings(contact, || Ok(pairs))?;
     contact.history.begin(next, bearings);
     Ok(())
+}
+
+/// The elastic slip that was carried into the step.
+pub(crate) fn slip<const D: usize>(contact: &Contact<D>) -> Result<Vec<FacetSlip<D>>, Error> {
+    Ok(list_slip(&contact.history.step()?.slip))
+}
+
+/// Sets it. On an error nothing has changed.
+pub(crate) fn set_slip<const D: usize>(contact: &mut Contact<D>, slip: &[FacetSlip<D>]) -> Result<(), Error> {
+    contact.history.step()?;
+    let Contact { mesh, partners, .. } = contact;
+    let ranges = &mesh.surface.ranges;
+    let body_of = |facet: usize| ranges.iter().position(|range| range.contains(&facet));
+    let carried = slip_of_list(slip, body_of, [ranges.len(), partners.obstacles.count()])?;
+    contact.history.set_slip(carried)
 }
 
 /// Goes on with a step that was laid aside.
@@ -62,7 +69,7 @@ pub(crate) fn freeze<const D: usize>(contact: &mut Contact<D>, coords: &[[f64; D
 }
 
 /// A step that begins here.
-fn step_at<const D: usize>(contact: &Contact<D>, coords: &[[f64; D]], slip: Vec<[f64; D]>) -> Result<Step<D>, Error> {
+fn step_at<const D: usize>(contact: &Contact<D>, coords: &[[f64; D]], slip: CarriedSlip<D>) -> Result<Step<D>, Error> {
     let Contact { mesh, partners, .. } = contact;
     Ok(Step::new(&mesh.surface, past_points(contact, coords)?, partners.obstacles.poses(), slip, mesh.epoch()))
 }

@@ -1,7 +1,7 @@
 //! The evaluations, each compiled here for the plane and for space: see [`crate::dimension`].
 
 use super::parts::Contact;
-use super::sliding::{check_ready, sliding};
+use super::sliding::{check_ready, released, sliding};
 use super::walk::{for_each_pair, for_each_pair_within};
 use crate::Error;
 use crate::contact::explicit::largest_step;
@@ -125,6 +125,7 @@ fn measured_pairs<const D: usize>(
     asked: &Asked,
 ) -> Result<(Vec<Answer<D>>, Vec<Tractions<D>>), Error> {
     check_ready(contact)?;
+    let rotations = asked.rotations.then_some(contact.partners.obstacles.count());
     let found = for_each_pair(contact, coords, |measured| {
         let slides = if contact.history.frozen.is_none() { sliding(contact, measured)? } else { None };
         let (slides_here, wants_energy) = (slides.is_some(), asked.energy);
@@ -136,14 +137,17 @@ fn measured_pairs<const D: usize>(
         }
         let tractions = slides.map(|sliding| {
             let facets = SlipFacets::new(measured, &sliding, &std::mem::take(&mut answer.points));
-            Tractions::new(&facets, coords.len(), asked.tangent)
+            Tractions::new(&facets, coords.len(), asked.tangent, rotations)
         });
         Ok(Some((answer, tractions)))
     })?;
     let (answers, tractions): (Vec<_>, Vec<_>) = found.into_iter().unzip();
     let mut tractions: Vec<_> = tractions.into_iter().flatten().collect();
     let frozen = contact.history.frozen_at(coords, &contact.partners.obstacles.poses());
-    tractions.extend(frozen.iter().map(|facets| Tractions::new(facets, coords.len(), asked.tangent)));
+    tractions.extend(frozen.iter().map(|facets| Tractions::new(facets, coords.len(), asked.tangent, rotations)));
+    let pairs: Vec<[Partner; 2]> = tractions.iter().map(|pair| pair.partners).collect();
+    let gone = released(contact, &pairs)?;
+    tractions.extend(gone.into_iter().map(|(pair, energy)| Tractions::released(pair, energy)));
     Ok((answers, tractions))
 }
 
@@ -180,21 +184,13 @@ fn tangent_in<const D: usize>(
     coords: &[[f64; D]],
     part: TangentPart,
 ) -> Result<Tangent<D>, Error> {
-    tangent_with(contact, coords, part, rotates_obstacles(contact)?)
+    tangent_with(contact, coords, part, rotates_obstacles(contact))
 }
 
 /// Whether the next tangent has the rotations of the obstacles.
-///
-/// # Errors
-/// [`Error::Unsupported`] with friction, whose forces depend on how both sides turned since the step began.
-fn rotates_obstacles<const D: usize>(contact: &Contact<D>) -> Result<bool, Error> {
+fn rotates_obstacles<const D: usize>(contact: &Contact<D>) -> bool {
     let Contact { method, partners, .. } = contact;
-    let options = method.options();
-    let rotates = method.obstacle_rotations && !options.axisymmetric && partners.obstacles.count() > 0;
-    if rotates && partners.has_friction(options) {
-        return Err(Error::Unsupported { what: "the rotation of obstacles in the tangent with friction" });
-    }
-    Ok(rotates)
+    method.obstacle_rotations && !method.options().axisymmetric && partners.obstacles.count() > 0
 }
 
 fn tangent_with<const D: usize>(
@@ -220,7 +216,7 @@ fn evaluate_tangent_in<const D: usize>(
     coords: &[[f64; D]],
     part: TangentPart,
 ) -> Result<(ContactForces<D>, Tangent<D>), Error> {
-    let rotations = rotates_obstacles(contact)?;
+    let rotations = rotates_obstacles(contact);
     let asked = Asked { energy: true, tangent: Some(part), rotations, ..Asked::default() };
     let (answers, tractions) = measured_pairs(contact, coords, &asked)?;
     let (energies, tangents): (Vec<_>, Vec<_>) =

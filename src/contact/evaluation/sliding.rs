@@ -3,7 +3,8 @@
 use super::parts::Contact;
 use crate::Error;
 use crate::contact::friction::{Sliding, Stick};
-use crate::contact::laws::Measured;
+use crate::contact::laws::{Measured, PairLaw};
+use crate::overlap::Partner;
 
 /// Refuses a law without a stiffness, and friction before a step has begun.
 pub(crate) fn check_ready<const D: usize>(contact: &Contact<D>) -> Result<(), Error> {
@@ -17,17 +18,42 @@ pub(crate) fn sliding<'a, const D: usize>(
     contact: &'a Contact<D>,
     measured: &Measured<D>,
 ) -> Result<Option<Sliding<'a, D>>, Error> {
+    sliding_of(contact, &measured.pair.partners, measured.law)
+}
+
+/// The same of a pair that follows this law.
+fn sliding_of<'a, const D: usize>(
+    contact: &'a Contact<D>,
+    pair: &[Partner; 2],
+    law: &dyn PairLaw<D>,
+) -> Result<Option<Sliding<'a, D>>, Error> {
     let Contact { mesh, partners, method, history, .. } = contact;
-    let friction = partners.friction_of(&measured.pair.partners, method.options());
+    let friction = partners.friction_of(pair, method.options());
     let Some(step) = history.step.as_ref().filter(|_| friction.is_active()) else { return Ok(None) };
     let what = "friction with a law that has no stiffness of its own: set the friction's";
     let stick = match friction.memoryless_slip {
         Some(slip) => Stick::Memoryless(slip),
-        None => {
-            Stick::Spring(friction.stiffness.or(measured.law.initial_stiffness()).ok_or(Error::Unsupported { what })?)
-        }
+        None => Stick::Spring(friction.stiffness.or(law.initial_stiffness()).ok_or(Error::Unsupported { what })?),
     };
-    let now = partners.bearing_rule(&measured.pair.partners, method.options(), mesh.hashes());
-    let bearings = history.bearings.as_ref().and_then(|bearings| bearings.of(&measured.pair.partners, now));
+    let now = partners.bearing_rule(pair, method.options(), mesh.hashes());
+    let bearings = history.bearings.as_ref().and_then(|bearings| bearings.of(pair, now));
     Ok(Some(Sliding { friction, stick, step, bearings }))
+}
+
+/// The pairs that were in contact when the step began and are not any more, with the energy that was stored in them; `found` are those that
+/// are.
+pub(crate) fn released<const D: usize>(
+    contact: &Contact<D>,
+    found: &[[Partner; 2]],
+) -> Result<Vec<([Partner; 2], f64)>, Error> {
+    let Contact { partners, method, history, .. } = contact;
+    let Some(step) = &history.step else { return Ok(Vec::new()) };
+    let mut pairs: Vec<[Partner; 2]> = step.slip.keys().map(|(pair, ..)| *pair).collect();
+    pairs.dedup();
+    pairs.retain(|pair| !found.contains(pair) && partners.has(pair, method.options()));
+    let energy = |pair: [Partner; 2]| {
+        let sliding = sliding_of(contact, &pair, partners.law_of(&pair, method))?;
+        Ok((pair, sliding.map_or(0.0, |sliding| sliding.released(pair, |_, _| false))))
+    };
+    pairs.into_iter().map(energy).collect()
 }

@@ -4,6 +4,9 @@ use crate::contact::laws::{PointOnSide, PressurePoint};
 use crate::geometry::Vector;
 use crate::overlap::{Pair, Partner, SurfacePoint};
 
+/// A facet and what it faces: its pair, whether it is of the second side, and its number in the surface.
+pub(crate) type SliderName = ([Partner; 2], bool, usize);
+
 /// The facets on which a point lies: both by halves where both sides are facets of bodies.
 pub(super) struct Carriers<const D: usize> {
     /// Unit normal of the tangent plane, outwards of the first side.

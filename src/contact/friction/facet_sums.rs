@@ -1,7 +1,7 @@
 //! Sums over the points of a facet on which friction acts.
 
-use super::carriers::Carriers;
-use super::side_motion::{LastFacet, SideMotion};
+use super::carriers::{Carriers, in_surface};
+use super::side_motion::{LastFacet, Mover, SideMotion};
 use super::step::Sliding;
 use super::touch::Bearing;
 use crate::contact::laws::PressurePoint;
@@ -11,11 +11,10 @@ use crate::overlap::Pair;
 use nalgebra::SMatrix;
 use std::collections::BTreeMap;
 
-/// A node that moves a facet, or what it faces.
+/// What moves a facet, or what it faces.
 #[derive(Clone, Copy)]
 pub(crate) struct Row<const D: usize> {
-    /// From the number of nodes on: an obstacle.
-    pub(crate) node: u32,
+    pub(crate) mover: Mover,
     pub(crate) of_b: bool,
     /// What the slip changes by as the node moves: that of side 0 against side 1.
     pub(crate) slip: SMatrix<f64, D, D>,
@@ -29,12 +28,16 @@ pub(super) struct Sums<const D: usize> {
     pub(super) area: f64,
     /// Traction at which the facet slides, times the area.
     pub(super) limit: f64,
+    /// The part of it that is pressure.
+    pub(super) pressed: f64,
     pub(super) slip: Vector<D>,
     /// By which the sides came nearer in the step.
     pub(super) approach: f64,
     pub(super) depth: f64,
     pub(super) position: Vector<D>,
     pub(super) normal: Vector<D>,
+    /// Of friction, as far as it has fallen.
+    coefficient: f64,
     /// Of the facet, since the step began.
     pub(super) deformation: SMatrix<f64, D, D>,
     pub(super) rows: Vec<Row<D>>,
@@ -49,8 +52,8 @@ pub(super) fn add_point<const D: usize>(
     obstacle_node: u32,
     last: &mut [LastFacet<D>; 2],
 ) -> Option<()> {
-    let (traction, slope) = sliding.friction.limit(point.pressure);
-    if traction <= 0.0 {
+    let friction = &sliding.friction;
+    if friction.limit(point.pressure, friction.largest_coefficient()).0 <= 0.0 {
         return None;
     }
     let carriers = Carriers::of(pair, point)?;
@@ -66,11 +69,14 @@ pub(super) fn add_point<const D: usize>(
     let slip = slip - normal * approach;
     let position = (sides[0].now + sides[1].now) * 0.5;
     for (of_b, facet) in carriers.facets() {
-        let new = || Sums::new(sides[usize::from(of_b)].deformation);
+        let name = (pair.partners, of_b, in_surface(pair, of_b, facet)?);
+        let new = || Sums::new(sides[usize::from(of_b)].deformation, sliding.coefficient(&name));
         let sums = of_facets.entry((of_b, facet)).or_insert_with(new);
+        let (traction, slope) = friction.limit(point.pressure, sums.coefficient);
         let area = part * point.area;
         sums.area += area;
         sums.limit += area * traction;
+        sums.pressed += area * slope * point.pressure;
         sums.slip += slip * area;
         sums.approach += approach * area;
         sums.depth += area * point.penetration * point.normal.dot(&normal);
@@ -79,8 +85,9 @@ pub(super) fn add_point<const D: usize>(
         for (of_b, side) in [(false, &sides[0]), (true, &sides[1])] {
             let signed = if of_b { -area } else { area };
             let slope = point.slopes[usize::from(of_b)] * (slope * part);
-            side.for_each_node(pair, &(position - side.now), obstacle_node, |node, shape, moved| {
-                sums.add_row(Row { node, of_b, slip: moved * signed, limit: slope * shape });
+            side.for_each_node(pair, &(position - side.now), obstacle_node, |mover, point, middle| {
+                let limit = point.transpose() * slope;
+                sums.add_row(Row { mover, of_b, slip: middle * signed, limit });
             });
         }
     }
@@ -88,10 +95,22 @@ pub(super) fn add_point<const D: usize>(
 }
 
 impl<const D: usize> Sums<D> {
-    fn new(deformation: SMatrix<f64, D, D>) -> Self {
+    fn new(deformation: SMatrix<f64, D, D>, coefficient: f64) -> Self {
         let zero = Vector::zeros();
-        let (area, limit, approach, depth) = (0.0, 0.0, 0.0, 0.0);
-        Self { area, limit, slip: zero, approach, depth, position: zero, normal: zero, deformation, rows: Vec::new() }
+        let (area, limit, pressed, approach, depth) = (0.0, 0.0, 0.0, 0.0, 0.0);
+        Self {
+            area,
+            limit,
+            pressed,
+            slip: zero,
+            approach,
+            depth,
+            position: zero,
+            normal: zero,
+            coefficient,
+            deformation,
+            rows: Vec::new(),
+        }
     }
 
     /// How the facet bears.
@@ -99,11 +118,17 @@ impl<const D: usize> Sums<D> {
         let corners = pair.side(of_b).corners(facet as usize);
         let centre = corners.iter().fold(Vector::zeros(), |sum, x| sum + x / D as f64);
         let whole = area_vector(&corners).norm() * pair.weighting.at(&centre);
-        Bearing { area: self.area / whole, depth: self.depth / whole }
+        Bearing { area: self.area / whole, depth: self.depth / whole, whole }
+    }
+
+    /// Force at which the facet slid where it bore otherwise, by pressure that grows with the depth.
+    pub(super) fn limit_of(&self, bore: &Bearing, now: &Bearing) -> f64 {
+        let by_depth = if now.depth > 0.0 { bore.depth / now.depth } else { 1.0 };
+        self.pressed * by_depth + (self.limit - self.pressed) * (bore.area / now.area)
     }
 
     fn add_row(&mut self, row: Row<D>) {
-        match self.rows.iter_mut().find(|known| (known.node, known.of_b) == (row.node, row.of_b)) {
+        match self.rows.iter_mut().find(|known| (known.mover, known.of_b) == (row.mover, row.of_b)) {
             Some(known) => {
                 known.slip += row.slip;
                 known.limit += row.limit;

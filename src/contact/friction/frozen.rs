@@ -44,11 +44,12 @@ impl<const D: usize> FrozenFriction<D> {
     /// The facets with the slip that displacements since then have added; nothing else of them changes.
     pub(crate) fn at(&self, coords: &[[f64; D]], poses: &[Option<Pose<D>>]) -> Vec<SlipFacets<D>> {
         let mut pairs = self.pairs.clone();
-        for SlipFacets { partners, facets, rows } in &mut pairs {
+        for SlipFacets { partners, facets, rows, .. } in &mut pairs {
             for facet in facets {
                 let mut slip = Vector::zeros();
-                for row in &rows[facet.rows.clone()] {
-                    let node = row.node as usize;
+                // How an obstacle turned is in how its point has moved.
+                for row in rows[facet.rows.clone()].iter().filter(|row| !row.mover.turns) {
+                    let node = row.mover.node as usize;
                     let moved = match (coords.get(node), partners[1]) {
                         (Some(x), _) => Vector::from(*x) - Vector::from(self.coords[node]),
                         (None, Partner::Obstacle(o)) => self.moved_with(o, &poses[o], &facet.position),

@@ -12,8 +12,10 @@ use crate::Error;
 /// the step alone: smooth, and nothing is carried from one step to the next, so that what should stick creeps.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Friction {
-    /// Coefficient of friction μ, at least 0.
+    /// Coefficient of friction μ, at least 0; of what slides, where there is another for what rests.
     pub coefficient: f64,
+    /// Coefficient from rest, and how it falls; `None`: one coefficient. Not together with `memoryless_slip`.
+    pub at_rest: Option<StaticFriction>,
     /// Tangential stiffness k_T of the stick, positive, Pa/length; `None`: the stiffness of the energy law at a first
     /// touch, k.
     pub stiffness: Option<f64>,
@@ -26,9 +28,25 @@ pub struct Friction {
     pub shear_limit: f64,
 }
 
+/// Friction of what rests, and begins to slide. A facet that sticks throughout a step rests.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct StaticFriction {
+    /// Coefficient, at least that of what slides.
+    pub coefficient: f64,
+    /// Slip over which it falls to that of what slides, in proportion; positive, a length.
+    pub weakening_slip: f64,
+}
+
 impl Default for Friction {
     fn default() -> Self {
-        Self { coefficient: 0.0, stiffness: None, memoryless_slip: None, cohesion: 0.0, shear_limit: f64::INFINITY }
+        Self {
+            coefficient: 0.0,
+            at_rest: None,
+            stiffness: None,
+            memoryless_slip: None,
+            cohesion: 0.0,
+            shear_limit: f64::INFINITY,
+        }
     }
 }
 
@@ -40,7 +58,19 @@ impl Friction {
 
     /// Whether there is any.
     pub fn is_active(&self) -> bool {
-        self.coefficient > 0.0 || self.cohesion > 0.0
+        self.largest_coefficient() > 0.0 || self.cohesion > 0.0
+    }
+
+    /// That from rest.
+    pub(crate) fn largest_coefficient(&self) -> f64 {
+        self.at_rest.map_or(self.coefficient, |at_rest| at_rest.coefficient)
+    }
+
+    /// Coefficient of a facet that has slid so far since it rested.
+    pub(crate) fn coefficient_after(&self, slid: f64) -> f64 {
+        self.at_rest.map_or(self.coefficient, |StaticFriction { coefficient, weakening_slip }| {
+            self.coefficient + (coefficient - self.coefficient) * (1.0 - slid / weakening_slip).max(0.0)
+        })
     }
 
     /// Whether the stick is as stiff as the law: elastic slip that is carried then pulls with the stiffness of now.
@@ -59,6 +89,23 @@ impl Friction {
         for (name, value) in [("friction_stiffness", self.stiffness), ("memoryless_slip", self.memoryless_slip)] {
             if let Some(value) = value.filter(|value| !(value.is_finite() && *value > 0.0)) {
                 return refuse(name, value);
+            }
+        }
+        if let Some(StaticFriction { coefficient, weakening_slip }) = self.at_rest {
+            if !(coefficient.is_finite() && coefficient >= 0.0) {
+                return refuse("static_coefficient", coefficient);
+            }
+            if coefficient < self.coefficient {
+                let what = "a static_coefficient below friction_coefficient, to which it would have to rise";
+                return Err(Error::Unsupported { what });
+            }
+            if !(weakening_slip.is_finite() && weakening_slip > 0.0) {
+                return refuse("weakening_slip", weakening_slip);
+            }
+            if self.memoryless_slip.is_some() {
+                let what = "a static coefficient with friction without memory, which does not know what rests: leave one of \
+                            static_coefficient and memoryless_slip at its default";
+                return Err(Error::Unsupported { what });
             }
         }
         if self.stiffness.is_some() && self.memoryless_slip.is_some() {

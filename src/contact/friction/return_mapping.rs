@@ -41,10 +41,10 @@ pub(crate) struct Traction<const D: usize> {
 }
 
 impl Friction {
-    /// Traction at which a point under this pressure slides, and what that changes by with the pressure.
-    pub(crate) fn limit(&self, pressure: f64) -> (f64, f64) {
-        let pressed = self.coefficient * pressure + self.cohesion;
-        if pressed > self.shear_limit { (self.shear_limit, 0.0) } else { (pressed, self.coefficient) }
+    /// Traction at which a point under this pressure slides by this coefficient, and what that changes by with the pressure.
+    pub(crate) fn limit(&self, pressure: f64, coefficient: f64) -> (f64, f64) {
+        let pressed = coefficient * pressure + self.cohesion;
+        if pressed > self.shear_limit { (self.shear_limit, 0.0) } else { (pressed, coefficient) }
     }
 }
 
@@ -111,7 +111,7 @@ mod tests {
 
     #[test]
     fn sticks_below_the_limit_and_slides_at_it() {
-        let slider = Slider { stick: Stick::Spring(100.0), limit: Friction::coulomb(0.5).limit(8.0).0 };
+        let slider = Slider { stick: Stick::Spring(100.0), limit: Friction::coulomb(0.5).limit(8.0, 0.5).0 };
         let stuck = slider.traction(&Vector::<2>::new(0.03, 0.0));
         assert_eq!((stuck.value[0], stuck.slides, stuck.dissipated), (3.0, false, 0.0));
         let slid = slider.traction(&Vector::<2>::new(0.0, -0.1));
@@ -119,8 +119,8 @@ mod tests {
         // The work of the spring at the limit is stored, that of the slider lost.
         assert!((slid.stored - 0.08).abs() < 1e-15 && (slid.dissipated - 4.0 * 0.06).abs() < 1e-15);
         let limited = Friction { shear_limit: 1.0, cohesion: 0.25, ..Friction::coulomb(0.5) };
-        assert_eq!(limited.limit(1.0), (0.75, 0.5));
-        assert_eq!(limited.limit(9.0), (1.0, 0.0));
+        assert_eq!(limited.limit(1.0, 0.5), (0.75, 0.5));
+        assert_eq!(limited.limit(9.0, 0.5), (1.0, 0.0));
     }
 
     #[test]

@@ -103,14 +103,14 @@ impl<const D: usize> SideMotion<D> {
         Some(Self { now, start: old.place(&pose.unplace(&now)), deformation, movers: Movers::Rigid })
     }
 
-    /// Calls `visit(node, shape function at the point, by what the middle moves with the node)`; the middle lies at `arm`
-    /// from the point.
+    /// Calls `visit(what moves the side, by what the point moves with it, by what the middle does)`; the middle lies at `arm` from the
+    /// point.
     pub(crate) fn for_each_node(
         &self,
         pair: &Pair<D>,
         arm: &Vector<D>,
         obstacle_node: u32,
-        mut visit: impl FnMut(u32, f64, SMatrix<f64, D, D>),
+        mut visit: impl FnMut(Mover, SMatrix<f64, D, D>, SMatrix<f64, D, D>),
     ) {
         let identity = SMatrix::<f64, D, D>::identity();
         match &self.movers {
@@ -118,17 +118,46 @@ impl<const D: usize> SideMotion<D> {
                 for ((&vertex, &weight), h) in vertices.iter().zip(weights).zip(gradients) {
                     let row = identity * (weight + h.dot(arm)) - h * normal.transpose() * arm.dot(normal);
                     for (node, part) in pair.surface.nodes_of_vertex(vertex) {
-                        visit(node, weight * part, row * part);
+                        visit(Mover { node, turns: false }, identity * (weight * part), row * part);
                     }
                 }
             }
             Movers::Cell { cell, weights } => {
                 let nodes = pair.surface.cells.as_ref().map_or(&[][..], |cells| cells.nodes(*cell as usize));
-                nodes.iter().zip(weights).for_each(|(&node, &weight)| visit(node, weight, identity * weight));
+                nodes.iter().zip(weights).for_each(|(&node, &weight)| {
+                    visit(Mover { node, turns: false }, identity * weight, identity * weight);
+                });
             }
-            Movers::Rigid => visit(obstacle_node, 1.0, identity),
+            Movers::Rigid => {
+                visit(Mover { node: obstacle_node, turns: false }, identity, identity);
+                if let Some(pose) = pair.pose {
+                    let from = self.now - Vector::from(pose.position);
+                    visit(Mover { node: obstacle_node, turns: true }, by_turn(&from), by_turn(&(from + arm)));
+                }
+            }
         }
     }
+}
+
+/// A node, or an obstacle, by a number from the count of nodes on: its translation, or its rotation about its position.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Mover {
+    pub(crate) node: u32,
+    pub(crate) turns: bool,
+}
+
+/// What a point at `arm` from the axis moves by with a rotation vector; in 2D with its first entry.
+fn by_turn<const D: usize>(arm: &Vector<D>) -> SMatrix<f64, D, D> {
+    let mut moved = SMatrix::zeros();
+    if D == 2 {
+        (moved[(0, 0)], moved[(1, 0)]) = (-arm[1], arm[0]);
+        return moved;
+    }
+    for i in 0..D {
+        let (j, k) = ((i + 1) % D, (i + 2) % D);
+        (moved[(i, j)], moved[(i, k)]) = (arm[k], -arm[j]);
+    }
+    moved
 }
 
 /// A facet, and its deformation since another state.

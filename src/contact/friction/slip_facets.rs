@@ -4,7 +4,8 @@
 //! theirs. So the elastic slip is one vector for every facet, and nothing is carried from one to another: what does not
 //! slide does not creep.
 
-use super::carriers::in_surface;
+use super::carried::Carried;
+use super::carriers::{SliderName, in_surface};
 use super::facet_sums::{Row, Sums, add_point};
 use super::return_mapping::{Slider, Stick, Traction};
 use super::step::Sliding;
@@ -22,6 +23,8 @@ pub(crate) struct SlipFacets<const D: usize> {
     pub(crate) facets: Vec<SlipFacet<D>>,
     /// What moves the facets against the other side, one after the other.
     pub(crate) rows: Vec<Row<D>>,
+    /// Energy that was stored in facets that are not in contact any more.
+    pub(crate) released: f64,
 }
 
 /// A facet on which friction acts.
@@ -48,7 +51,25 @@ pub(crate) struct SlipFacet<const D: usize> {
     pub(crate) by_approach: Vector<D>,
     /// Whether limits and parts of the step are those of an earlier iteration.
     pub(crate) is_frozen: bool,
+    /// Slip over which its coefficient falls from that at rest; zero where it does not.
+    pub(crate) weakening_slip: f64,
     pub(crate) bearing: Bearing,
+    pub(crate) before: Before<D>,
+}
+
+/// A facet when the step began, all by the area in contact now.
+#[derive(Clone, Copy)]
+pub(crate) struct Before<const D: usize> {
+    /// Elastic slip that was carried, turned along.
+    pub(crate) slip: Vector<D>,
+    /// Part of it that stays, as a mean over the area in contact now.
+    pub(crate) part: f64,
+    /// Area in contact.
+    pub(crate) area: f64,
+    /// Force at which it slid.
+    pub(crate) limit: f64,
+    /// How far it had slid since it rested.
+    pub(crate) slid: f64,
 }
 
 impl<const D: usize> SlipFacets<D> {
@@ -60,10 +81,14 @@ impl<const D: usize> SlipFacets<D> {
         for point in pressed {
             add_point(&mut of_facets, pair, sliding, point, obstacle_node, &mut last);
         }
-        let mut all = Self { partners: pair.partners, facets: Vec::with_capacity(of_facets.len()), rows: Vec::new() };
+        let facets = Vec::with_capacity(of_facets.len());
+        let mut all = Self { partners: pair.partners, facets, rows: Vec::new(), released: 0.0 };
         for ((of_b, facet), sums) in of_facets {
             all.add(pair, sliding, (of_b, facet), sums);
         }
+        let is_found =
+            |of_b, facet| all.facets.binary_search_by_key(&(of_b, facet), |one| (one.of_b, one.facet)).is_ok();
+        all.released = sliding.released(pair.partners, is_found);
         all
     }
 
@@ -73,17 +98,26 @@ impl<const D: usize> SlipFacets<D> {
         let sign = if of_b { -1.0 } else { 1.0 };
         let position = sums.position / sums.area;
         let bearing = sums.bearing(pair, (of_b, facet));
-        let (carried, touch) = match sliding.stick {
+        let tangential = |x: Vector<D>| x - normal * normal.dot(&x);
+        let limit = sums.limit / sums.area;
+        let (touch, before) = match sliding.stick {
             Stick::Spring(_) => {
-                let before = sliding.bearing(&(pair.partners, of_b, in_surface));
-                let touch =
-                    before.map_or(Touch::WHOLE, |before| Touch::new(before, bearing, sums.approach / sums.area));
-                (sums.deformation * Vector::from(sliding.step.slip[in_surface]) * (sign * touch.carried), touch)
+                let name = (pair.partners, of_b, in_surface);
+                let bore = sliding.bearing(&name);
+                let touch = bore.map_or(Touch::WHOLE, |bore| Touch::new(bore, bearing, sums.approach / sums.area));
+                let none = Carried { slip: Vector::zeros(), slid: 0.0 };
+                let Carried { slip, slid } = sliding.step.slip.get(&name).copied().unwrap_or(none);
+                let slip = tangential(sums.deformation * slip) * sign;
+                let [area, limit] = bore.map_or([1.0, limit], |bore| {
+                    [bore.area / bearing.area, sums.limit_of(&bore, &bearing) / sums.area]
+                });
+                (touch, Before { slip, part: touch.carried, area, limit, slid })
             }
             // Of which only the slip of the step counts, as a speed.
-            Stick::Memoryless(_) => (Vector::zeros(), Touch::WHOLE),
+            Stick::Memoryless(_) => {
+                (Touch::WHOLE, Before { slip: Vector::zeros(), part: 1.0, area: 1.0, limit, slid: 0.0 })
+            }
         };
-        let tangential = |x: Vector<D>| x - normal * normal.dot(&x);
         let slip = sums.slip / sums.area;
         let begin = self.rows.len();
         self.rows.extend(sums.rows.iter().map(|row| Row { slip: row.slip / sums.area, ..*row }));
@@ -94,12 +128,14 @@ impl<const D: usize> SlipFacets<D> {
             position,
             normal,
             area: sums.area,
-            slider: Slider { stick: sliding.stick, limit: sums.limit / sums.area },
-            trial: tangential(carried + slip * touch.counted),
+            slider: Slider { stick: sliding.stick, limit },
+            trial: before.slip * before.part + tangential(slip * touch.counted),
             counted: touch.counted,
             by_approach: tangential(slip * touch.by_approach),
             is_frozen: false,
+            weakening_slip: sliding.friction.at_rest.map_or(0.0, |at_rest| at_rest.weakening_slip),
             bearing,
+            before,
         });
         Some(())
     }
@@ -114,25 +150,24 @@ impl<const D: usize> SlipFacets<D> {
         bearings.extend(self.facets.iter().map(|facet| ((self.partners, facet.of_b, facet.facet), facet.bearing)));
     }
 
-    /// Calls `visit(facet of the surface, area, elastic slip of that facet against what it faces)`.
-    pub(crate) fn for_each_elastic_slip(&self, mut visit: impl FnMut(usize, f64, Vector<D>)) {
-        for (facet, _, traction) in self.tractions() {
-            visit(facet.facet, facet.area, traction.elastic * if facet.of_b { -1.0 } else { 1.0 });
-        }
+    /// What every facet carries into the next step, where there is anything.
+    pub(crate) fn carried(&self) -> impl Iterator<Item = (SliderName, Carried<D>)> {
+        let all = self.tractions().map(|(facet, _, traction)| {
+            let name = (self.partners, facet.of_b, facet.facet);
+            let slip = if facet.of_b { -traction.elastic } else { traction.elastic };
+            (name, Carried { slip, slid: facet.slid(&traction) })
+        });
+        all.filter(|(_, carried)| carried.slip != Vector::<D>::zeros() || carried.slid != 0.0)
     }
 }
 
 impl<const D: usize> SlipFacet<D> {
-    /// Energy taken out, by area. The traction acts for the whole step, though of it only the part φ counts: what slides does
-    /// so at the limit for all of it. As areas shrink no less than they grow, that is the loss of the mean area.
-    ///
-    /// Frozen, the traction is the gradient of a potential, (stored + dissipated)/φ; what of it is not stored.
-    pub(crate) fn dissipated(&self, traction: &Traction<D>) -> f64 {
-        let Traction { stored, dissipated, .. } = *traction;
-        match self.counted {
-            0.0 => dissipated,
-            part if self.is_frozen => (stored + dissipated) / part - stored,
-            part => dissipated / part,
+    /// How far it has slid at the end of the step since it rested, as far as that matters.
+    fn slid(&self, traction: &Traction<D>) -> f64 {
+        if traction.slides && self.weakening_slip > 0.0 {
+            (self.before.slid + (self.trial - traction.elastic).norm()).min(self.weakening_slip)
+        } else {
+            0.0
         }
     }
 }

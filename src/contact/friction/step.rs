@@ -1,5 +1,7 @@
 //! The state at the start of a step.
 
+use super::carried::{CarriedSlip, released};
+use super::carriers::SliderName;
 use super::options::Friction;
 use super::past_points::PastPoints;
 use super::return_mapping::Stick;
@@ -19,8 +21,8 @@ pub(crate) struct Step<const D: usize> {
     pub(crate) epoch: u64,
     /// Poses of the obstacles; `None` for one that was removed.
     pub(crate) poses: Vec<Option<Pose<D>>>,
-    /// Elastic slip of every facet against what it faces.
-    pub(crate) slip: Vec<[f64; D]>,
+    /// Elastic slip of every facet against each of those that it faces.
+    pub(crate) slip: CarriedSlip<D>,
 }
 
 impl<const D: usize> Step<D> {
@@ -28,7 +30,7 @@ impl<const D: usize> Step<D> {
         surface: &Surface<D>,
         coords: PastPoints<D>,
         poses: Vec<Option<Pose<D>>>,
-        slip: Vec<[f64; D]>,
+        slip: CarriedSlip<D>,
         epoch: u64,
     ) -> Self {
         Self { points: surface.points(coords.placed()), coords, epoch, poses, slip }
@@ -48,12 +50,8 @@ impl<const D: usize> Step<D> {
         points: &[[f64; D]],
         facet: impl Fn(usize) -> Option<usize>,
     ) -> Self {
-        let mut slip = vec![[0.0; D]; surface.facets.len()];
-        for (old, carried) in self.slip.iter().enumerate() {
-            if let Some(new) = facet(old) {
-                slip[new] = *carried;
-            }
-        }
+        let of = |((partners, of_b, old), slip)| facet(old).map(|new| ((partners, of_b, new), slip));
+        let slip = self.slip.into_iter().filter_map(of).collect();
         Self::new(surface, PastPoints::new(points.to_vec(), |points| points.into()), self.poses, slip, self.epoch)
     }
 
@@ -74,7 +72,27 @@ pub(crate) struct Sliding<'a, const D: usize> {
 
 impl<const D: usize> Sliding<'_, D> {
     /// How a facet bore when the step began; `None` where that is not known.
-    pub(crate) fn bearing(&self, facet: &([Partner; 2], bool, usize)) -> Option<Bearing> {
+    pub(crate) fn bearing(&self, facet: &SliderName) -> Option<Bearing> {
         self.bearings.map(|bearings| bearings.get(facet).copied().unwrap_or_default())
+    }
+
+    /// Coefficient of a facet, which falls as it slides.
+    pub(crate) fn coefficient(&self, facet: &SliderName) -> f64 {
+        let slid = || self.step.slip.get(facet).map_or(0.0, |carried| carried.slid);
+        if self.friction.at_rest.is_some() {
+            self.friction.coefficient_after(slid())
+        } else {
+            self.friction.coefficient
+        }
+    }
+
+    /// Energy that was stored in the sliders of a pair when the step began, and whose facets are not in contact any more.
+    pub(crate) fn released(&self, pair: [Partner; 2], is_found: impl Fn(bool, usize) -> bool) -> f64 {
+        match (self.stick, self.bearings) {
+            (Stick::Spring(stiffness), Some(bearings)) => {
+                stiffness * released(&self.step.slip, bearings, pair, is_found)
+            }
+            _ => 0.0,
+        }
     }
 }

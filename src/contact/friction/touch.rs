@@ -3,12 +3,13 @@
 //! With the area A in contact, the depth D = ∫ g dA below the other surface and the normal approach a of a step, all of one
 //! facet, dD = A da. So what a step adds to D, by its approach, is the mean of A on the way, which lies between the areas at
 //! both ends. Springs that touch in the middle of a step are stretched by what is left of it: together by that mean times
-//! the slip of the step. What was carried stays on the springs that carried it, so that the new ones share its force.
+//! the slip of the step. What was carried stays on the springs that carried it: those that join, however they came, are not
+//! stretched.
 //!
 //! Loads that grow in proportion, from nothing, meet with an equal part of the slip and of the approach everywhere, and what
 //! is counted here is then exact whatever the step.
 
-use crate::overlap::Partner;
+use super::carriers::SliderName;
 use std::collections::BTreeMap;
 
 /// How a facet bears.
@@ -18,10 +19,12 @@ pub(crate) struct Bearing {
     pub(crate) area: f64,
     /// Integral of the depth over it, in the same parts.
     pub(crate) depth: f64,
+    /// The facet's measure.
+    pub(crate) whole: f64,
 }
 
 /// All facets that bear, by their pair, their side and their number in the surface.
-pub(crate) type FacetBearings = BTreeMap<([Partner; 2], bool, usize), Bearing>;
+pub(crate) type FacetBearings = BTreeMap<SliderName, Bearing>;
 
 /// What counts of a step's slip, and of the slip that was carried into it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -41,16 +44,18 @@ impl Touch {
     /// Of a facet that came nearer by `approach`, positive, as a mean over its area in contact now.
     pub(crate) fn new(before: Bearing, now: Bearing, approach: f64) -> Self {
         // Area that approach brings lies no deeper than it came: the less it is beside the depth, the less can be new. What
-        // grows otherwise, as facets stretch or slide on to others, carries as the rest does.
+        // grows otherwise, as facets stretch or slide on to others, slips by all of the step.
         let new = (now.area - before.area).min(now.area * (approach * now.area / now.depth));
+        // What joins is not stretched, however it came.
+        let carried = if now.area > before.area { before.area / now.area } else { 1.0 };
         if new > 0.0 {
             let old = now.area - new;
             let mean = (now.depth - before.depth) / approach;
             let counted = mean.clamp(old, now.area) / now.area;
             let by_approach = if old < mean && mean < now.area { (1.0 - counted) / approach } else { 0.0 };
-            Self { carried: old / now.area, counted, by_approach }
+            Self { carried, counted, by_approach }
         } else {
-            Self::WHOLE
+            Self { carried, ..Self::WHOLE }
         }
     }
 }
@@ -60,7 +65,7 @@ mod tests {
     use super::*;
 
     fn bearing(area: f64, depth: f64) -> Bearing {
-        Bearing { area, depth }
+        Bearing { area, depth, whole: 1.0 }
     }
 
     /// A flat facet that touches when three quarters of the step are over.
@@ -86,8 +91,9 @@ mod tests {
         let before = bearing(0.5, 0.05);
         assert_eq!(Touch::new(before, bearing(0.5, 0.09), 0.1), Touch::WHOLE);
         assert_eq!(Touch::new(before, bearing(0.4, 0.01), -0.1), Touch::WHOLE);
-        // Another body slides on to it.
-        assert_eq!(Touch::new(before, bearing(0.6, 0.06), 0.0), Touch::WHOLE);
+        // Another body slides on to it: all of its slip counts, and what it brings is not stretched.
+        let carried = before.area / 0.6;
+        assert_eq!(Touch::new(before, bearing(0.6, 0.06), 0.0), Touch { carried, ..Touch::WHOLE });
     }
 
     #[test]

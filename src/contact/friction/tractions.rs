@@ -2,6 +2,7 @@
 
 use super::facet_sums::Row;
 use super::return_mapping::Traction;
+use super::side_motion::Mover;
 use super::slip_facets::{SlipFacet, SlipFacets};
 use crate::contact::tangents::{Tangent, TangentPart};
 use crate::geometry::{Vector, moment};
@@ -61,18 +62,37 @@ impl FrictionTotals {
 }
 
 impl<const D: usize> Tractions<D> {
-    /// Forces and, if asked for, the tangent, of which `Full` knows that the limit grows with the pressure.
-    pub(crate) fn new(slipping: &SlipFacets<D>, node_count: usize, part: Option<TangentPart>) -> Self {
+    /// Of a pair that is not in contact any more, and has lost what was stored in it.
+    pub(crate) fn released(partners: [Partner; 2], energy: f64) -> Self {
+        Self {
+            partners,
+            nodes: Vec::new(),
+            of_b: Vec::new(),
+            forces: Vec::new(),
+            on_obstacle: (Vector::zeros(), [0.0; 3]),
+            tangent: Tangent { blocks: Vec::new(), rank_one: Vec::new() },
+            totals: FrictionTotals { dissipated: energy, ..FrictionTotals::default() },
+        }
+    }
+
+    /// Forces and, if asked for, the tangent, of which `Full` knows that the limit grows with the pressure, with the rotations of so many
+    /// obstacles if these are given.
+    pub(crate) fn new(
+        slipping: &SlipFacets<D>,
+        node_count: usize,
+        part: Option<TangentPart>,
+        rotations: Option<usize>,
+    ) -> Self {
         let (mut sums, mut on_obstacle) = (NodeSums::default(), (Vector::zeros(), [0.0; 3]));
         let (mut totals, mut blocks) = (FrictionTotals::default(), BlockSum::default());
         let mut scratch = Scratch { nodes: Vec::new(), values: Vec::new() };
         for (facet, rows, traction) in slipping.tractions() {
             totals.add(facet, &traction);
             let along = traction.value * facet.area;
-            for row in rows {
+            for row in rows.iter().filter(|row| !row.mover.turns) {
                 let force = -(row.slip.transpose() * along);
-                if (row.node as usize) < node_count {
-                    sums.add(row.node, row.of_b, &force);
+                if (row.mover.node as usize) < node_count {
+                    sums.add(row.mover.node, row.of_b, &force);
                 } else {
                     on_obstacle.0 += force;
                     on_obstacle.1.iter_mut().zip(moment(&facet.position, &force)).for_each(|(sum, m)| *sum += m);
@@ -80,9 +100,14 @@ impl<const D: usize> Tractions<D> {
             }
             if let Some(part) = part {
                 let with_limit = part == TangentPart::Full;
-                scratch.add_blocks(facet, rows, (&traction, with_limit), &mut blocks);
+                let number = |mover: Mover| match rotations {
+                    _ if !mover.turns => Some(mover.node),
+                    count => Some(mover.node + count? as u32),
+                };
+                scratch.add_blocks(facet, (rows, number), (&traction, with_limit), &mut blocks);
             }
         }
+        totals.dissipated += slipping.released;
         let (nodes, of_b, forces) = sums.into_nodes();
         let tangent = Tangent { blocks: blocks.into_blocks(), rank_one: Vec::new() };
         Self { partners: slipping.partners, nodes, of_b, forces, on_obstacle, tangent, totals }
@@ -101,7 +126,7 @@ impl<const D: usize> Scratch<D> {
     fn add_blocks(
         &mut self,
         facet: &SlipFacet<D>,
-        rows: &[Row<D>],
+        (rows, number): (&[Row<D>], impl Fn(Mover) -> Option<u32>),
         (traction, with_limit): (&Traction<D>, bool),
         blocks: &mut BlockSum<D>,
     ) {
@@ -114,12 +139,13 @@ impl<const D: usize> Scratch<D> {
         }
         let pushed = (with_limit && traction.by_limit != Vector::<D>::zeros()).then_some(traction.by_limit);
         nodes.clear();
-        nodes.extend(rows.iter().map(|row| row.node));
+        nodes.extend(rows.iter().filter_map(|row| number(row.mover)));
+        let rows = || rows.iter().filter(|row| number(row.mover).is_some());
         values.clear();
-        for row in rows {
+        for row in rows() {
             let left = row.slip.transpose() * stiffness;
             let along = pushed.map(|s| row.slip.transpose() * s);
-            for col in rows {
+            for col in rows() {
                 let mut value = left * col.slip;
                 if let Some(along) = along {
                     value += along * col.limit.transpose();

@@ -4,7 +4,7 @@ use super::bearings::Bearings;
 use super::kept_patches::KeptPatches;
 use super::multipliers::Multipliers;
 use crate::Error;
-use crate::contact::friction::{FrozenFriction, SlipFacets, Step};
+use crate::contact::friction::{CarriedSlip, FrozenFriction, SlipFacets, Step};
 use crate::contact::partners::Poses;
 use crate::geometry::Surface;
 use crate::overlap::Partner;
@@ -74,7 +74,7 @@ impl<const D: usize> History<D> {
 
     fn divide_slip(&mut self, factor: f64) {
         if let Some(step) = self.step.as_mut().filter(|_| factor != 1.0) {
-            step.slip.iter_mut().flatten().for_each(|slip| *slip /= factor);
+            step.slip.values_mut().for_each(|carried| carried.slip /= factor);
             self.frozen = None;
         }
     }
@@ -84,21 +84,9 @@ impl<const D: usize> History<D> {
         self.step.as_ref().ok_or(Error::NoStep)
     }
 
-    pub(crate) fn slip(&self) -> Result<&[[f64; D]], Error> {
-        Ok(&self.step()?.slip)
-    }
-
-    /// Sets the elastic slip that was carried into the step, for as many facets; frozen friction, which stands on the old one, is
-    /// released.
-    pub(crate) fn set_slip(&mut self, slip: &[[f64; D]], facet_count: usize) -> Result<(), Error> {
-        if slip.len() != facet_count {
-            return Err(Error::Length { array: "slip", expected: facet_count, found: slip.len() });
-        }
-        if let Some(facet) = slip.iter().position(|vector| !vector.iter().all(|x| x.is_finite())) {
-            return Err(Error::NonFiniteSlip { facet });
-        }
-        let step = self.step.as_mut().ok_or(Error::NoStep)?;
-        step.slip = slip.to_vec();
+    /// Sets the elastic slip that was carried into the step; frozen friction, which stands on the old one, is released.
+    pub(crate) fn set_slip(&mut self, slip: CarriedSlip<D>) -> Result<(), Error> {
+        self.step.as_mut().ok_or(Error::NoStep)?.slip = slip;
         self.frozen = None;
         Ok(())
     }
@@ -116,6 +104,9 @@ impl<const D: usize> History<D> {
     /// Forgets an obstacle that is removed.
     pub(crate) fn forget(&mut self, partner: Partner) {
         self.patches.forget(partner);
+        if let Some(step) = &mut self.step {
+            step.slip.retain(|(partners, ..), _| !partners.contains(&partner));
+        }
         self.leave_out(|partners| partners.contains(&partner));
     }
 

@@ -3,6 +3,7 @@
 use crate::Error;
 use crate::contact::changes;
 use crate::contact::evaluation::{Contact, assemble, kernels};
+use crate::contact::friction::FacetSlip;
 use crate::contact::method::Options;
 use crate::contact::partners::PairOptions;
 use crate::contact::results::{ContactForces, GapConstraints, NodalContact, PointOfContact};
@@ -170,10 +171,10 @@ impl<const D: usize> Contact<D> {
 
     /// Whether tangents have the rotations of the obstacles, too; they have not at first. Number `node_count +
     /// obstacle_count + o` is then the rotation of obstacle o, a rotation vector about the position of its pose, which moves
-    /// along; in 2D its first entry is the angle, and the second has none but zeros. Not with axisymmetry, where nothing turns; with
-    /// friction, and for an obstacle that a body meets by the law `fiber`, the tangent is then refused.
+    /// along; in 2D its first entry is the angle, and the second has none but zeros. Not with axisymmetry, where nothing turns;
+    /// for an obstacle that a body meets by the law `fiber`, the tangent is then refused.
     ///
-    /// It is the second derivative of the energy, and symmetric. The derivative of the moment about the position,
+    /// It is the second derivative of the energy, and symmetric, with what the tangent of friction has. The derivative of the moment about the position,
     /// M, as the obstacle turns by dθ is −(∂²w/∂θ²) dθ + ½ dθ × M.
     pub fn set_obstacle_rotations(&mut self, on: bool) {
         self.method.obstacle_rotations = on;
@@ -316,22 +317,22 @@ impl<const D: usize> Contact<D> {
         changes::friction_steps::commit(self, coords)
     }
 
-    /// The elastic slip that was carried into the step, a vector for every facet of the surface, in the order of
-    /// [`Self::boundary_facets`]: that of the facet against what it faces. With the coordinates at which the step began it is all that a restart needs.
+    /// The elastic slip that was carried into the step: of every facet against each of the bodies and obstacles that it faced, where there
+    /// was any. With the coordinates and poses at which the step began it is all that a restart needs.
     ///
     /// # Errors
     /// [`Error::NoStep`].
-    pub fn slip(&self) -> Result<&[[f64; D]], Error> {
-        self.history.slip()
+    pub fn slip(&self) -> Result<Vec<FacetSlip<D>>, Error> {
+        changes::friction_steps::slip(self)
     }
 
     /// Sets the elastic slip that was carried into the step that has begun, after [`Self::begin_step`] at the coordinates
     /// of that time.
     ///
     /// # Errors
-    /// [`Error::NoStep`], [`Error::Length`], [`Error::NonFiniteSlip`]; the old one then stays.
-    pub fn set_slip(&mut self, slip: &[[f64; D]]) -> Result<(), Error> {
-        self.history.set_slip(slip, self.mesh.surface.facets.len())
+    /// [`Error::NoStep`], [`Error::SlipRow`], [`Error::NonFiniteSlip`]; the old one then stays.
+    pub fn set_slip(&mut self, slip: &[FacetSlip<D>]) -> Result<(), Error> {
+        changes::friction_steps::set_slip(self, slip)
     }
 
     /// Freezes the facets on which friction acts and their pressure as they are at `coords`, until the step ends or

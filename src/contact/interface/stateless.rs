@@ -2,6 +2,7 @@
 
 use crate::Error;
 use crate::contact::evaluation::Contact;
+use crate::contact::friction::FacetSlip;
 use crate::contact::method::Options;
 use crate::contact::results::ContactForces;
 use crate::geometry::{Bodies, CellBlock, Surface};
@@ -39,8 +40,8 @@ pub struct FrictionStep<'a, const D: usize> {
     pub reference: &'a [[f64; D]],
     /// Coordinates at which the step began.
     pub start: &'a [[f64; D]],
-    /// Elastic slip that was carried into it, a vector for every facet; `None`: none.
-    pub slip: Option<&'a [[f64; D]]>,
+    /// Elastic slip that was carried into it.
+    pub slip: &'a [FacetSlip<D>],
 }
 
 /// Contact forces with friction at the end of a step, in one call, and the elastic slip that is carried into the next: the
@@ -55,13 +56,11 @@ pub fn contact_force_step<const D: usize>(
     blocks: &[CellBlock],
     bodies: Bodies,
     options: &Options,
-) -> Result<(ContactForces<D>, Vec<[f64; D]>), Error> {
+) -> Result<(ContactForces<D>, Vec<FacetSlip<D>>), Error> {
     let mut contact = Contact::new(Surface::from_cells(step.reference, blocks, bodies)?, *options)?;
     contact.begin_step(step.start)?;
-    if let Some(slip) = step.slip {
-        contact.set_slip(slip)?;
-    }
+    contact.set_slip(step.slip)?;
     let forces = contact.evaluate(coords)?;
     contact.commit_step(coords)?;
-    Ok((forces, contact.slip()?.to_vec()))
+    Ok((forces, contact.slip()?))
 }

@@ -1,7 +1,6 @@
 //! What decides how facets bear, beside where the sides are.
 
 use super::pair_options::PairOptions;
-use crate::contact::friction::Friction;
 use crate::contact::method::Options;
 use crate::overlap::{Estimator, Partner};
 use std::collections::BTreeMap;
@@ -41,10 +40,10 @@ impl BearingRule {
             None => pair[0] != pair[1] || options.self_contact,
         };
         let own = own.unwrap_or_default();
-        let friction = own.friction_coefficient.map(|coefficient| Friction { coefficient, ..options.friction });
+        let friction = own.friction(options.friction);
         let is_local = own.law.unwrap_or(options.law).is_fiber();
         let is_of_bodies = matches!(pair[1], Partner::Body(_));
-        (is_evaluated && friction.unwrap_or(options.friction).is_active()).then_some(Self {
+        (is_evaluated && friction.is_active()).then_some(Self {
             lines: is_local.then_some(options.estimator),
             depths: (is_of_bodies && !is_local).then_some(mesh.depths),
             offsets: mesh.offsets,

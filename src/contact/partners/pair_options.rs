@@ -1,5 +1,6 @@
 //! Options of a single pair of partners.
 
+use crate::contact::friction::{Friction, StaticFriction};
 use crate::contact::laws::EnergyLaw;
 
 /// What holds for one pair of partners in place of the [`Options`](crate::Options). The default changes nothing, but for a body
@@ -13,6 +14,8 @@ pub struct PairOptions {
     /// Coefficient of friction of the pair, at least 0; `None`: that of the options, also after it changes. All else of the
     /// friction is that of the options.
     pub friction_coefficient: Option<f64>,
+    /// Friction of the pair at rest; `None`: that of the options, or none where the pair has a coefficient of its own.
+    pub static_friction: Option<StaticFriction>,
     /// Distance at which contact begins, in length, 0 by default. Penetration, gap and pressure are counted from there,
     /// also in weighted gaps.
     ///
@@ -29,6 +32,16 @@ pub struct PairOptions {
 }
 
 impl PairOptions {
+    /// The friction of the pair, beside that of the options.
+    pub(crate) fn friction(&self, of_contact: Friction) -> Friction {
+        let own = self.friction_coefficient;
+        Friction {
+            coefficient: own.unwrap_or(of_contact.coefficient),
+            at_rest: self.static_friction.or(of_contact.at_rest.filter(|_| own.is_none())),
+            ..of_contact
+        }
+    }
+
     /// A pair that is left out.
     pub fn excluded() -> Self {
         Self { excluded: true, ..Self::default() }

@@ -109,15 +109,14 @@ impl<const D: usize> PairTable<D> {
         self.0.values().filter_map(|entry| entry.law.as_deref())
     }
 
-    /// The friction of the pair, which has that of the contact but for a coefficient of its own.
+    /// The friction of the pair, which has that of the contact but for coefficients of its own.
     pub(crate) fn friction(&self, pair: &[Partner; 2], of_contact: Friction) -> Friction {
-        let own = self.0.get(pair).and_then(|entry| entry.options.friction_coefficient);
-        own.map_or(of_contact, |coefficient| Friction { coefficient, ..of_contact })
+        self.0.get(pair).map_or(of_contact, |entry| entry.options.friction(of_contact))
     }
 
     /// Whether any pair has a coefficient of friction of its own that is not zero.
     pub(crate) fn has_friction(&self) -> bool {
-        self.0.values().any(|entry| entry.options.friction_coefficient.is_some_and(|coefficient| coefficient > 0.0))
+        self.0.values().any(|entry| entry.options.friction(Friction::default()).is_active())
     }
 
     /// Whether all entries are allowed beside these options.
@@ -127,9 +126,8 @@ impl<const D: usize> PairTable<D> {
 }
 
 fn check(pair: &[Partner; 2], options: &PairOptions, defaults: &Options) -> Result<(), Error> {
-    let coefficient = options.friction_coefficient.unwrap_or(defaults.friction.coefficient);
     let own = options.law.map_or(Ok(()), |law| law.check());
-    let (law, friction) = (options.law.unwrap_or(defaults.law), Friction { coefficient, ..defaults.friction });
+    let (law, friction) = (options.law.unwrap_or(defaults.law), options.friction(defaults.friction));
     let side = |partner| match partner {
         Partner::Body(body) => ("body", body),
         Partner::Obstacle(obstacle) => ("obstacle", obstacle),

@@ -71,7 +71,9 @@ class fmc_options(Structure):
         ("cohesion", c_double),
         ("shear_limit", c_double),
         ("memoryless_slip", c_double),
-        ("reserved", c_uint64 * 10),
+        ("static_coefficient", c_double),
+        ("weakening_slip", c_double),
+        ("reserved", c_uint64 * 8),
     ]
 
 
@@ -172,7 +174,9 @@ class fmc_pair_options(Structure):
         ("friction_coefficient", c_double),
         ("law", c_int32),
         ("excluded", c_int32),
-        ("reserved", c_uint64 * 10),
+        ("static_coefficient", c_double),
+        ("weakening_slip", c_double),
+        ("reserved", c_uint64 * 8),
     ]
 
 
@@ -506,7 +510,11 @@ class fmc_carried_slip(Structure):
         ("cell", c_int64),
         ("face", c_int32),
         ("part", c_int32),
+        ("partner_kind", c_int32),
+        ("is_second", c_int32),
+        ("partner", c_size_t),
         ("slip", c_double * 3),
+        ("slid", c_double),
     ]
 
 

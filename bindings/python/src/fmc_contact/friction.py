@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ctypes import byref
+from ctypes import byref, c_size_t
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -11,6 +11,9 @@ from ._arrays import coords_view, floats, shape_error
 from ._core import Core
 from ._library import library
 from .errors import LengthError
+
+# Numbers in a row of the slip.
+_WIDTH = 8
 
 
 class FrictionSteps:
@@ -122,37 +125,42 @@ class FrictionSteps:
 
     @property
     def slip(self) -> np.ndarray:
-        """Elastic slip carried into the step (length), (facets, dim), in the order of ``contact.mesh.boundary_facets()``.
+        """Elastic slip carried into the step: a row for each facet and each body or obstacle that it faced, (rows, 8).
 
-        Every facet has its slip against the surface that it faces. For a restart you need nothing else but the coordinates and
-        poses at which the step began: call ``begin_step`` there, then set the slip.
+        Columns: the facet, by its place in ``contact.mesh.boundary_facets()``; 0 if it faces a body, 1 if an obstacle; the index of
+        that; 1 if the facet's body is the second of the pair, else 0; three of the slip (length), in 2D the last 0; how far it has slid
+        since it rested, with ``static_coefficient``, else 0. For a restart
+        you need nothing else but the coordinates and poses at which the step began: call ``begin_step`` there, then set the slip.
 
         Raises
         ------
         NoStepError
             If no step has begun.
         LengthError
-            If the shape is not (facets, dim).
+            If the shape is not (rows, 8).
+        IndexOutOfRangeError
+            If a row names a facet, a body or an obstacle that does not exist, or one twice, or is no such row.
         NonFiniteSlipError
-            If an entry is not finite. The slip stays as it was.
+            If an entry of the slip is not finite. The slip stays as it was.
 
         Examples
         --------
         >>> contact.friction.begin_step(coords)
         >>> contact.friction.slip.shape
-        (8, 2)
-        >>> contact.friction.slip = np.zeros((8, 2))
+        (0, 8)
+        >>> contact.friction.slip = np.zeros((0, 8))
         """
-        found = np.empty((self._core.facet_count, self._core.dim))
+        count = c_size_t()
         with self._core.handle:
+            self._core.handle.call(library.fmc_context_slip, None, 0, byref(count))
+            found = np.empty((count.value // _WIDTH, _WIDTH))
             self._core.handle.call(library.fmc_context_slip, found, found.size, None)
         return found
 
     @slip.setter
     def slip(self, slip: ArrayLike) -> None:
         values = np.ascontiguousarray(floats(slip, "slip"))
-        expected = self._core.facet_count, self._core.dim
-        if values.shape != expected:
-            raise LengthError(str(shape_error("slip", values.shape, str(expected))))
+        if values.ndim != 2 or values.shape[1] != _WIDTH:
+            raise LengthError(str(shape_error("slip", values.shape, f"(rows, {_WIDTH})")))
         with self._core.handle:
             self._core.handle.call(library.fmc_context_set_slip, values, values.size)

@@ -59,7 +59,7 @@ class Mesh:
         self._core = core
 
     def boundary_facets(self) -> BoundaryFacets:
-        """The boundary facets that were found, in the order of ``contact.friction.slip``.
+        """The boundary facets that were found; ``contact.friction.slip`` names them by their place.
 
         Returns
         -------

@@ -536,8 +536,8 @@ class Obstacles:
 
         At first they do not. With n nodes and m obstacles the rotation of obstacle o is node n + m + o: a rotation vector about the
         position of its pose, which moves along. In 2D its first entry is the angle, and the second has only zeros. The tangent is
-        the second derivative of the energy: the moment M about the position changes by -K dtheta + dtheta x M / 2. With friction
-        or the law ``"fiber"`` such a tangent raises ``UnsupportedError``.
+        the second derivative of the energy: the moment M about the position changes by -K dtheta + dtheta x M / 2. Friction
+        adds what its own tangent has. With the law ``"fiber"`` such a tangent raises ``UnsupportedError``.
 
         Parameters
         ----------

@@ -47,6 +47,8 @@ class OtherOptions(TypedDict, total=False):
     cohesion: float
     shear_limit: float
     memoryless_slip: float
+    static_coefficient: float
+    weakening_slip: float
     axisymmetric: bool
     check_cells: bool
     threads: int
@@ -104,6 +106,11 @@ class Options(OtherOptions, total=False):
         Slip in a step (length) from which on friction without memory acts in full: a speed times the time step, for example.
         It is smooth and transfers nothing between steps, so that sticking contact creeps. 0, the default: friction with memory.
         Excludes ``friction_stiffness``.
+    static_coefficient : float
+        Coefficient of friction of what rests, at least ``friction_coefficient``, to which it falls as it slides. A facet that sticks
+        throughout a step rests. 0, the default: one coefficient. Excludes ``memoryless_slip``.
+    weakening_slip : float
+        Slip (length) over which the coefficient falls, in proportion. Positive with ``static_coefficient``, else 0, the default.
     axisymmetric : bool
         Axisymmetry in 2D: coordinates are (r, z) with r >= 0, and volumes, areas, energies and forces are those of whole rings.
         Default: False. Not with isotropic fibers.

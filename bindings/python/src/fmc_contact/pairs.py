@@ -54,6 +54,8 @@ class Pairs:
         exponent: Optional[float] = None,
         smoothing_length: Optional[float] = None,
         friction_coefficient: Optional[float] = None,
+        static_coefficient: float = 0.0,
+        weakening_slip: float = 0.0,
         gap_offset: float = 0.0,
         excluded: bool = False,
     ) -> None:
@@ -73,7 +75,9 @@ class Pairs:
         exponent, smoothing_length : float, optional
             Of the laws ``"volume"`` and ``"fiber"``, as in ``Options``.
         friction_coefficient : float, optional
-            Coefficient of the pair. All else of its friction comes from the options of the contact.
+            Coefficient of the pair. All else of its friction comes from the options of the contact, but that at rest.
+        static_coefficient, weakening_slip : float
+            Friction of the pair at rest, as in ``Options``. Default: that of the contact, or none with a ``friction_coefficient``.
         gap_offset : float
             Distance (length) at which contact begins. Penetration, gap and pressure are counted from there. The surface of an
             obstacle is taken to lie so much further out, as with a shell's thickness or a coating. A negative offset is a
@@ -104,6 +108,7 @@ class Pairs:
         own = fmc_pair_options()
         check(library.fmc_pair_options_init(byref(own)))
         own.excluded, own.gap_offset = bool(excluded), float(gap_offset)
+        own.static_coefficient, own.weakening_slip = float(static_coefficient), float(weakening_slip)
         if friction_coefficient is not None:
             own.friction_coefficient = float(friction_coefficient)
         if law is not None:
@@ -172,6 +177,7 @@ class Pairs:
         has_friction = found.friction_coefficient != FMC_PAIR_FRICTION_OF_CONTEXT
         options: dict[str, Any] = {"excluded": bool(found.excluded), "gap_offset": found.gap_offset}
         options["friction_coefficient"] = found.friction_coefficient if has_friction else None
+        options.update(static_coefficient=found.static_coefficient, weakening_slip=found.weakening_slip)
         options["law"] = FMC_LAW[found.law] if has_law else None
         options.update({key: getattr(found, key) if has_law else None for key in _OF_LAW})
         return options

@@ -21,9 +21,21 @@ from .friction import FrictionSteps
 from .options import OtherOptions, changed, defaults
 from .ranks import Communicator, described
 
-CARRIED_SLIP = np.dtype([("cell", np.int64), ("face", np.int32), ("part", np.int32), ("slip", np.float64, 3)])
-"""Elastic slip of a boundary facet: number of its cell in the whole mesh, face of that cell as VTK counts them, which of the
-facets of that face, and the slip; in 2D its last entry is 0."""
+CARRIED_SLIP = np.dtype(
+    [
+        ("cell", np.int64),
+        ("face", np.int32),
+        ("part", np.int32),
+        ("partner_kind", np.int32),
+        ("is_second", np.int32),
+        ("partner", np.uint64),
+        ("slip", np.float64, 3),
+        ("slid", np.float64),
+    ]
+)
+"""Elastic slip of a boundary facet against what it faced: number of its cell in the whole mesh, face of that cell as VTK counts them,
+which of the facets of that face; 0 for a body and 1 for an obstacle, whether the facet's body is the second of that pair, index of what
+it faced; the slip, whose last entry is 0 in 2D, and how far it has slid since it rested."""
 
 
 @dataclass(frozen=True)
@@ -65,17 +77,17 @@ class PartitionedFriction(FrictionSteps):
 
     @property
     def carried_slip(self) -> np.ndarray:
-        """Elastic slip carried into the step, of all facets where it is not zero: a structured array of type ``CARRIED_SLIP``, (m,).
+        """Elastic slip carried into the step, where it is not zero: a structured array of type ``CARRIED_SLIP``, (m,).
 
         It is the same on all ranks. For a restart on any number of ranks you need it with the coordinates and poses at which the
-        step began: call ``begin_step`` there, then set it, the same on all ranks. Facets that are not listed get zero.
+        step began: call ``begin_step`` there, then set it, the same on all ranks. What is not listed has none.
 
         Raises
         ------
         NoStepError
             If no step has begun.
-        NonFiniteSlipError, UnsupportedError
-            On setting: if an entry is not finite, or a facet was not gathered.
+        NonFiniteSlipError, IndexOutOfRangeError, UnsupportedError
+            On setting: if an entry is not finite, a row names what does not exist, or a facet was not gathered.
 
         Examples
         --------

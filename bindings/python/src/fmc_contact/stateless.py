@@ -75,8 +75,8 @@ def contact_force_step(
         Coordinates of all nodes at the start of the step.
     coords : array_like, (n, dim) or (dim, n)
         Coordinates of all nodes at its end.
-    slip : array_like, (facets, dim), optional
-        Elastic slip carried into the step (length). Default: none.
+    slip : array_like, (rows, 8), optional
+        Elastic slip carried into the step, as ``contact.friction.slip`` has it. Default: none.
     reference : array_like, (n, dim) or (dim, n), optional
         Undeformed coordinates. Default: ``start``.
     conn, cell_type, stiffness, bodies, **options
@@ -86,7 +86,7 @@ def contact_force_step(
     -------
     result : Result
         Forces, totals, resultants, pairs and warnings.
-    slip : ndarray, (facets, dim)
+    slip : ndarray, (rows, 8)
         Elastic slip that is carried into the next step.
 
     Raises
@@ -99,7 +99,7 @@ def contact_force_step(
     >>> from fmc_contact import contact_force_step
     >>> result, slip = contact_force_step(coords, coords + 0.001, squares, "quad", stiffness=1000.0, friction_coefficient=0.3)
     >>> slip.shape
-    (8, 2)
+    (2, 8)
     """
     begin = start if reference is None else reference
     contact = Contact(begin, conn, cell_type, stiffness=stiffness, bodies=bodies, **options)

@@ -3,12 +3,12 @@
 //! ```text
 //! "fmcstate"   8 bytes
 //! version      u32     dimension  u32     fingerprint of the setup  u64
-//! node count   u64     facet count u64    step       u64     step size  f64            dissipated energy  f64
+//! node count   u64     slip rows  u64     step       u64     step size  f64            dissipated energy  f64
 //! displacement [node count × dimension] f64
 //! velocity     [node count × dimension] f64
-//! with friction, else the facet count is 0:
+//! with friction, else the number of slip rows is all ones:
 //! displacement at which its step began [node count × dimension] f64
-//! elastic slip carried into it         [facet count × dimension] f64
+//! elastic slip carried into it, in rows of facet u64, partner's kind u64 and index u64, side u64, slip [dimension] f64, slid f64
 //! FNV-1a of all before  u64
 //! ```
 //!
@@ -17,6 +17,8 @@
 use super::error::CheckpointError;
 use super::friction_step::FrictionStep;
 use super::state::State;
+use fmc_contact::contact::FacetSlip;
+use fmc_contact::overlap::Partner;
 use fnv::FnvHasher;
 use std::fs::File;
 use std::hash::Hasher;
@@ -24,7 +26,10 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 
 const MAGIC: &[u8; 8] = b"fmcstate";
-const VERSION: u32 = 2;
+const VERSION: u32 = 3;
+
+/// In place of a number of slip rows.
+const NO_FRICTION: u64 = u64::MAX;
 
 /// A state and what it belongs to.
 #[derive(Clone, Debug, PartialEq)]
@@ -60,14 +65,23 @@ impl<const D: usize> Checkpoint<D> {
         bytes.extend((D as u32).to_le_bytes());
         bytes.extend(self.fingerprint.to_le_bytes());
         bytes.extend((displacement.len() as u64).to_le_bytes());
-        let none = FrictionStep::default();
-        let friction = self.friction.as_ref().unwrap_or(&none);
-        bytes.extend((friction.slip.len() as u64).to_le_bytes());
+        let rows = self.friction.as_ref().map_or(NO_FRICTION, |friction| friction.slip.len() as u64);
+        bytes.extend(rows.to_le_bytes());
         bytes.extend(step.to_le_bytes());
-        let of_friction = friction.displacement.iter().chain(&friction.slip);
-        let values = displacement.iter().chain(velocity).chain(of_friction).flatten();
+        let begun = self.friction.iter().flat_map(|friction| &friction.displacement);
+        let values = displacement.iter().chain(velocity).chain(begun).flatten();
         for value in [&self.step_size, dissipated].into_iter().chain(values) {
             bytes.extend(value.to_le_bytes());
+        }
+        for row in self.friction.iter().flat_map(|friction| &friction.slip) {
+            let (kind, partner) = match row.partner {
+                Partner::Body(index) => (0, index),
+                Partner::Obstacle(index) => (1, index),
+            };
+            for number in [row.facet as u64, kind, partner as u64, u64::from(row.is_second)] {
+                bytes.extend(number.to_le_bytes());
+            }
+            row.slip.iter().chain([&row.slid]).for_each(|value| bytes.extend(value.to_le_bytes()));
         }
         bytes.extend(checksum(&bytes).to_le_bytes());
         bytes
@@ -91,23 +105,24 @@ impl<const D: usize> Checkpoint<D> {
         }
         let words: Vec<u64> =
             rest.chunks(8).map(|c| c.try_into().map(u64::from_le_bytes)).collect::<Result<_, _>>().map_err(damaged)?;
-        let [fingerprint, node_count, facet_count, step, step_size, dissipated, ref values @ ..] = words[..] else {
+        let [fingerprint, node_count, row_count, step, step_size, dissipated, ref words @ ..] = words[..] else {
             return Err(CheckpointError::Damaged);
         };
-        let values: Vec<f64> = values.iter().map(|&word| f64::from_bits(word)).collect();
+        let (arrays, rows) = if row_count == NO_FRICTION { (2u64, 0) } else { (3, row_count) };
+        let of_nodes = node_count.checked_mul(arrays * D as u64);
+        let expected = rows.checked_mul(5 + D as u64).and_then(|rows| rows.checked_add(of_nodes?));
+        let (Some(of_nodes), true) = (of_nodes, expected == Some(words.len() as u64)) else {
+            return Err(CheckpointError::Damaged);
+        };
+        let (nodes, rows) = words.split_at(of_nodes as usize);
+        let values: Vec<f64> = nodes.iter().map(|&word| f64::from_bits(word)).collect();
         let nodes: Vec<[f64; D]> =
             values.chunks(D).map(<[f64; D]>::try_from).collect::<Result<_, _>>().map_err(damaged)?;
-        let arrays = if facet_count > 0 { 3u64 } else { 2 };
-        let expected = node_count.checked_mul(arrays).and_then(|nodes| nodes.checked_add(facet_count));
-        if expected != Some(nodes.len() as u64) {
-            return Err(CheckpointError::Damaged);
-        }
         let (displacement, rest) = nodes.split_at(node_count as usize);
-        let (velocity, rest) = rest.split_at(node_count as usize);
-        let friction = (facet_count > 0).then(|| {
-            let (displacement, slip) = rest.split_at(node_count as usize);
-            FrictionStep { displacement: displacement.to_vec(), slip: slip.to_vec() }
-        });
+        let (velocity, begun) = rest.split_at(node_count as usize);
+        let slip: Vec<FacetSlip<D>> =
+            rows.chunks(5 + D).map(slip_row).collect::<Option<_>>().ok_or_else(|| damaged(()))?;
+        let friction = (row_count != NO_FRICTION).then(|| FrictionStep { displacement: begun.to_vec(), slip });
         let state = State {
             step,
             displacement: displacement.to_vec(),
@@ -117,6 +132,17 @@ impl<const D: usize> Checkpoint<D> {
         };
         Ok(Self { fingerprint, step_size: f64::from_bits(step_size), state, friction })
     }
+}
+
+fn slip_row<const D: usize>(row: &[u64]) -> Option<FacetSlip<D>> {
+    let [facet, kind, partner, is_second, ref slip @ .., slid] = *row else { return None };
+    let partner = match kind {
+        0 => Partner::Body(partner as usize),
+        _ => Partner::Obstacle(partner as usize),
+    };
+    let slip = std::array::from_fn(|axis| f64::from_bits(slip[axis]));
+    let slid = f64::from_bits(slid);
+    Some(FacetSlip { facet: facet as usize, partner, is_second: is_second != 0, slip, slid })
 }
 
 fn checksum(bytes: &[u8]) -> u64 {
@@ -145,7 +171,9 @@ mod tests {
             acceleration: vec![[0.0; 2]; 2],
             dissipated: 0.25,
         };
-        let friction = FrictionStep { displacement: vec![[0.5, 0.25], [1.0, 0.0]], slip: vec![[1e-9, -0.0]; 3] };
+        let row = |facet, partner| FacetSlip { facet, partner, is_second: facet == 9, slip: [1e-9, -0.0], slid: 0.5 };
+        let slip = vec![row(2, Partner::Body(0)), row(9, Partner::Body(1)), row(4, Partner::Obstacle(0))];
+        let friction = FrictionStep { displacement: vec![[0.5, 0.25], [1.0, 0.0]], slip };
         Checkpoint { fingerprint: 42, step_size: 1e-6, state, friction: Some(friction) }
     }
 

@@ -18,7 +18,7 @@ impl<const D: usize> Simulation<D> {
 
     /// The step of friction under way; `None` without friction.
     pub(super) fn friction_step(&self) -> Option<FrictionStep<D>> {
-        let slip = self.contact.slip().ok()?.to_vec();
+        let slip = self.contact.slip().ok()?;
         Some(FrictionStep { displacement: self.step_start.clone(), slip })
     }
 

@@ -6,7 +6,6 @@ use crate::capi::boundary::given_struct::check_struct;
 use crate::capi::boundary::list::Room;
 use crate::capi::boundary::pointer::{Output, check, slice};
 use crate::capi::boundary::status::fmc_status;
-use crate::capi::boundary::status::fmc_status::FMC_ERROR_LENGTH;
 use crate::capi::context::session::{Session, in_either};
 use crate::capi::structs::evaluation::Evaluation;
 use crate::capi::structs::view::{fmc_coords, fmc_forces};
@@ -25,16 +24,16 @@ pub struct fmc_friction_step {
     /// Coordinates without deformation, (node_count, dim), from which the law "depth" has its depths; NULL, the default:
     /// `start`.
     pub reference: *const f64,
-    /// Elastic slip that was carried into the step, (facets, dim); NULL, the default: none.
+    /// Elastic slip that was carried into the step, in rows of 8 numbers, as `fmc_context_slip` writes them; NULL, the default: none.
     pub slip: *const f64,
-    /// Numbers in `slip`: `dim` times the number of facets, or 0.
+    /// Numbers in `slip`; 0, the default: none.
     pub slip_count: usize,
-    /// Where the elastic slip goes that is carried into the next step, (facets, dim), if the end of this one is accepted; may be
+    /// Where the elastic slip goes that is carried into the next step, in such rows, if the end of this one is accepted; may be
     /// `slip` itself. NULL, the default: not wanted.
     pub next_slip: *mut f64,
     /// Numbers for which `next_slip` has room.
     pub next_slip_capacity: usize,
-    /// Where their number goes, `dim` times the number of facets; NULL, the default: not wanted.
+    /// Where their number goes; NULL, the default: not wanted. With `next_slip` NULL and no capacity it alone is asked for.
     pub next_slip_count: *mut usize,
     /// Zero. Room for later versions.
     pub reserved: [u64; 8],
@@ -98,26 +97,20 @@ pub(crate) unsafe fn in_step(
     // SAFETY: passed on to the caller.
     unsafe {
         in_either!(session, one => one.begin_step(&start, base))?;
-        let length = in_either!(session, one => one.slip())?.len();
-        let carried = carried(step, length)?;
+        let carried = carried(step)?;
         in_either!(session, one => one.set_slip(&carried))?;
-        let is_wanted = room.is_asked("numbers of the slip", &[step.next_slip.is_null()], length)?;
-        if is_wanted && length > 0 {
-            check("next_slip", step.next_slip.cast_const())?;
-        }
         let mut next_slip = Vec::new();
-        if is_wanted {
+        if !step.next_slip.is_null() || step.next_slip_capacity > 0 || !step.next_slip_count.is_null() {
             in_either!(session, one => one.commit_step(coords, base))?;
             next_slip.extend(in_either!(session, one => one.slip())?);
             in_either!(session, one => one.begin_step(&start, base))?;
             in_either!(session, one => one.set_slip(&carried))?;
         }
-        let found = in_either!(session, one => one.evaluate(coords, Some(forces), false, base))?;
-        if is_wanted {
-            room.write("numbers of the slip", "next_slip", &next_slip, step.next_slip)?;
-        } else {
-            room.tell(length);
+        if room.is_asked("numbers of the slip", &[step.next_slip.is_null()], next_slip.len())? {
+            check("next_slip", step.next_slip.cast_const())?;
         }
+        let found = in_either!(session, one => one.evaluate(coords, Some(forces), false, base))?;
+        room.write("numbers of the slip", "next_slip", &next_slip, step.next_slip)?;
         Ok(found)
     }
 }
@@ -126,15 +119,10 @@ pub(crate) unsafe fn in_step(
 ///
 /// # Safety
 /// The host guarantees the arrays of the step.
-unsafe fn carried(step: &fmc_friction_step, length: usize) -> Result<Vec<f64>, Failure> {
+unsafe fn carried(step: &fmc_friction_step) -> Result<Vec<f64>, Failure> {
     if step.slip.is_null() {
-        return Ok(vec![0.0; length]);
-    }
-    if step.slip_count != length {
-        let found = step.slip_count;
-        let text = format!("the slip of the step has {found} numbers, and {length} are expected: dim for every facet");
-        return Err(Failure::new(FMC_ERROR_LENGTH, text));
+        return Ok(Vec::new());
     }
     // SAFETY: passed on to the caller.
-    unsafe { slice("slip", step.slip, length, 1) }.map(<[f64]>::to_vec)
+    unsafe { slice("slip", step.slip, step.slip_count, 1) }.map(<[f64]>::to_vec)
 }

@@ -10,7 +10,7 @@ use crate::capi::boundary::status::fmc_status::FMC_ERROR_OPTIONS_CONFLICT;
 use crate::capi::context::session::in_either;
 use crate::capi::context::state::{fmc_context, read, write};
 use crate::capi::structs::law::LawFields;
-use crate::capi::structs::option_values::EXCLUDED;
+use crate::capi::structs::option_values::{EXCLUDED, static_friction};
 use crate::capi::structs::options::{fmc_estimator, fmc_options};
 use crate::capi::structs::partner::partner;
 use crate::contact::PairOptions;
@@ -53,8 +53,13 @@ pub struct fmc_pair_options {
     pub law: i32,
     /// 1: the pair is left out; it is not measured, and adds nothing to any result. Default 0.
     pub excluded: i32,
+    /// Coefficient of friction of what rests, at least that of what slides; 0, the default: that of the context's options, or none where
+    /// `friction_coefficient` is set.
+    pub static_coefficient: f64,
+    /// Slip over which it falls to that of what slides, a length; positive with `static_coefficient`, else 0, the default.
+    pub weakening_slip: f64,
     /// Zero. Room for options of later versions.
-    pub reserved: [u64; 10],
+    pub reserved: [u64; 8],
 }
 
 impl Default for fmc_pair_options {
@@ -68,7 +73,9 @@ impl Default for fmc_pair_options {
             friction_coefficient: FMC_PAIR_FRICTION_OF_CONTEXT.into(),
             law: FMC_PAIR_LAW_OF_CONTEXT,
             excluded: 0,
-            reserved: [0; 10],
+            static_coefficient: 0.0,
+            weakening_slip: 0.0,
+            reserved: [0; 8],
         }
     }
 }
@@ -77,7 +84,10 @@ impl From<PairOptions> for fmc_pair_options {
     fn from(options: PairOptions) -> Self {
         let friction_coefficient = options.friction_coefficient.unwrap_or(FMC_PAIR_FRICTION_OF_CONTEXT.into());
         let (excluded, gap_offset) = (options.excluded.into(), options.gap_offset);
-        let own = Self { excluded, friction_coefficient, gap_offset, ..Self::default() };
+        let [static_coefficient, weakening_slip] =
+            options.static_friction.map_or([0.0; 2], |own| [own.coefficient, own.weakening_slip]);
+        let own =
+            Self { excluded, friction_coefficient, static_coefficient, weakening_slip, gap_offset, ..Self::default() };
         match options.law.map(LawFields::from) {
             None => own,
             Some(LawFields { law, stiffness, exponent, smoothing_length }) => {
@@ -97,6 +107,7 @@ impl fmc_pair_options {
             excluded: EXCLUDED.is_on(self.excluded)?,
             law: self.law()?,
             friction_coefficient,
+            static_friction: static_friction(self.static_coefficient, self.weakening_slip),
             gap_offset: self.gap_offset,
         })
     }

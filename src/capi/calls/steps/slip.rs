@@ -1,18 +1,20 @@
 //! Elastic slip, for a restart.
 
 use crate::capi::boundary::entry::entry;
-use crate::capi::boundary::failure::Failure;
 use crate::capi::boundary::list::Room;
 use crate::capi::boundary::pointer::slice;
 use crate::capi::boundary::status::fmc_status;
-use crate::capi::boundary::status::fmc_status::FMC_ERROR_LENGTH;
 use crate::capi::context::session::in_either;
 use crate::capi::context::state::{fmc_context, read, write};
 
-/// The elastic slip that was carried into the step, `dim` numbers for every facet in dense rows, in the order
-/// of `fmc_context_boundary_facets`: that of the facet against what it faces. With the
-/// coordinates and the poses at which the step began it is all that a restart needs: `fmc_context_begin_step` there, then
-/// `fmc_context_set_slip`, gives the bits of the unbroken run.
+/// The elastic slip that was carried into the step: a row for every facet and each of the bodies and obstacles that it faced, where there
+/// was any. With the coordinates and the poses at which the step began it is all that a restart needs: `fmc_context_begin_step` there,
+/// then `fmc_context_set_slip`, gives the bits of the unbroken run.
+///
+/// A row is 8 numbers: the facet, by its place in `fmc_context_boundary_facets` from 0 whatever the base; what it faces, a value of
+/// `fmc_partner`, and its index for `fmc_context_body_resultant` or `fmc_context_obstacle_resultant`; 1 where the facet's body is the
+/// second side of that pair, else 0; three of the slip of the facet, a length, in 2D the last 0; how far
+/// it has slid since it rested, with `static_coefficient`, else 0. Rows ascend by facet, partner and side.
 ///
 /// `count` becomes how many numbers there are; `slip` has room for `capacity`. NULL with capacity 0: that alone is asked for.
 ///
@@ -30,29 +32,24 @@ pub unsafe extern "C" fn fmc_context_slip(
         // SAFETY: the host passes a context, and room for `capacity` numbers.
         unsafe {
             let state = read(context)?;
-            room.write("numbers of the slip", "slip", in_either!(&state.session, one => one.slip())?, slip)
+            room.write("numbers of the slip", "slip", &in_either!(&state.session, one => one.slip())?, slip)
         }
     })
 }
 
-/// Sets the elastic slip that was carried into the step that has begun: `count` numbers, as `fmc_context_slip` writes
-/// them.
+/// Sets the elastic slip that was carried into the step that has begun: `count` numbers, in rows as `fmc_context_slip` writes
+/// them; what no row names has none.
 ///
-/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NO_STEP`, `FMC_ERROR_LENGTH` for another count than `dim` times the
-/// number of facets, `FMC_ERROR_NON_FINITE_SLIP`, `FMC_ERROR_BUSY`; the old slip then stays. Threads: one call at a
-/// time on a context.
+/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NO_STEP`, `FMC_ERROR_LENGTH` where the last row is not whole,
+/// `FMC_ERROR_INDEX_OUT_OF_RANGE` for a row that names a facet or a partner that there is not, or one twice, or is no such row,
+/// `FMC_ERROR_BAD_VALUE`, `FMC_ERROR_NON_FINITE_SLIP`, `FMC_ERROR_BUSY`; the old slip then stays. Threads: one call at a time on a context.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_set_slip(context: *mut fmc_context, slip: *const f64, count: usize) -> fmc_status {
     entry(|| {
         // SAFETY: the host passes a context and `count` numbers.
         unsafe {
             write(context, |state| {
-                let (slip, expected) =
-                    (slice("slip", slip, count, 1)?, in_either!(&state.session, one => one.slip())?.len());
-                if count != expected {
-                    let text = format!("'slip' has {count} numbers, and {expected} are expected: dim for every facet");
-                    return Err(Failure::new(FMC_ERROR_LENGTH, text));
-                }
+                let slip = slice("slip", slip, count, 1)?;
                 in_either!(&mut state.session, one => one.set_slip(slip))
             })
         }

@@ -4,6 +4,7 @@ use super::Resident;
 use crate::Error;
 use crate::capi::boundary::failure::Failure;
 use crate::capi::structs::multiplier::fmc_multiplier;
+use crate::capi::structs::slip_row;
 use crate::capi::structs::view::{check_node_count, fmc_coords};
 use crate::contact::equilibrium::StepLimit;
 use crate::contact::{Adjustment, Augmentation};
@@ -35,15 +36,16 @@ impl<const D: usize> Resident<D> {
         unsafe { self.at(coords, index_base, |contact, rows| contact.freeze_friction(rows)) }
     }
 
-    /// The elastic slip that was carried into the step, facet by facet.
-    pub(crate) fn slip(&self) -> Result<&[f64], Failure> {
-        Ok(self.held.contact().slip()?.as_flattened())
+    /// The elastic slip that was carried into the step.
+    pub(crate) fn slip(&self) -> Result<Vec<f64>, Failure> {
+        Ok(slip_row::rows(&self.held.contact().slip()?))
     }
 
     /// Sets it.
     pub(crate) fn set_slip(&mut self, slip: &[f64]) -> Result<(), Failure> {
-        let (rows, _) = slip.as_chunks::<D>();
-        Ok(self.held.contact_mut().set_slip(rows)?)
+        self.held.contact().slip()?;
+        let list = slip_row::list(slip)?;
+        Ok(self.held.contact_mut().set_slip(&list)?)
     }
 
     /// Keeps the patches at these coordinates, or none; returns the number of directions.
