@@ -5,7 +5,7 @@ use super::cell_parts::{own_points, parts};
 use super::distances::Distances;
 use super::divisions::{CellPoint, CellSimplex, Divisions};
 use super::near_surface::NearSurface;
-use super::node_depths::node_depths;
+use super::node_depths::{CELLS_BETWEEN, node_depths};
 use crate::geometry::aabb::Aabb;
 use crate::geometry::cells::Cells;
 use crate::geometry::components::Components;
@@ -34,9 +34,6 @@ pub(crate) struct DepthField<const D: usize> {
     /// How far the round surface that a facet stands for lies beside it, by facet.
     sags: Vec<f64>,
 }
-
-/// Cells between two looks at whether the work is to end.
-pub(super) const CELLS_BETWEEN: usize = 256;
 
 /// In the order of their numbers.
 const TYPES: [CellType; 6] =
@@ -84,7 +81,7 @@ impl<const D: usize> DepthField<D> {
         TYPES.into_iter().for_each(|cell_type| add_ordinary(&mut divisions, cell_type));
         let near = NearSurface::new(cells, coords, &nodes, &surface_faces, &distances);
         let division_of = (0..cells.len()).map(|cell| {
-            if cell % CELLS_BETWEEN == 0 {
+            if cell.is_multiple_of(CELLS_BETWEEN) {
                 check();
             }
             if cells.nodes(cell).iter().all(|&n| nodes[n as usize] > 0.0) {

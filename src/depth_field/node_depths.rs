@@ -1,10 +1,12 @@
 //! Depth of nodes.
 
 use super::distances::Distances;
-use super::field::CELLS_BETWEEN;
 use crate::geometry::Vector;
 use crate::geometry::cells::Cells;
 use crate::geometry::hanging::HangingNode;
+
+/// Cells between two looks at whether the work is to end.
+pub(super) const CELLS_BETWEEN: usize = 256;
 
 /// Depth of every node that a cell has, 0 on the surface of a body, and the facet that is nearest to it.
 pub(super) fn node_depths<const D: usize>(
@@ -22,7 +24,7 @@ pub(super) fn node_depths<const D: usize>(
         }
     }
     for cell in 0..cells.len() {
-        if cell % CELLS_BETWEEN == 0 {
+        if cell.is_multiple_of(CELLS_BETWEEN) {
             check();
         }
         let nodes = cells.nodes(cell);

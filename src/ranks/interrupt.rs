@@ -21,7 +21,8 @@ pub type Asked = Box<dyn Fn() -> bool + Send + Sync>;
 pub(crate) struct Interrupt {
     asked: Asked,
     is_over: AtomicBool,
-    last: Mutex<Instant>,
+    /// When it was asked last.
+    last: Mutex<Option<Instant>>,
 }
 
 /// What unwinds.
@@ -29,7 +30,7 @@ struct Interrupted;
 
 impl Interrupt {
     pub(crate) fn new(asked: Asked) -> Self {
-        Self { asked, is_over: AtomicBool::new(false), last: Mutex::new(Instant::now()) }
+        Self { asked, is_over: AtomicBool::new(false), last: Mutex::new(None) }
     }
 
     /// A piece of work is about to begin: ends all of it if the caller has said so. Threads of a pool know it from the thread that called.
@@ -48,8 +49,8 @@ impl Interrupt {
             return;
         }
         let mut last = self.last.lock().unwrap_or_else(PoisonError::into_inner);
-        if last.elapsed() >= PAUSE {
-            *last = Instant::now();
+        if last.is_none_or(|last| last.elapsed() >= PAUSE) {
+            *last = Some(Instant::now());
             drop(last);
             if (self.asked)() {
                 self.is_over.store(true, Ordering::Relaxed);
@@ -59,6 +60,7 @@ impl Interrupt {
 
     /// Work on the threads of a pool, while this thread asks the caller.
     fn while_asking<T: Send>(&self, pool: &rayon::ThreadPool, work: impl FnOnce() -> T + Send) -> Option<T> {
+        self.ask();
         let (sender, receiver) = channel();
         pool.in_place_scope(|scope| {
             scope.spawn(move |_| {

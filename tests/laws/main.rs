@@ -21,6 +21,7 @@ mod gap_constraints;
 mod gaps;
 mod glued;
 mod hinged;
+mod interrupted;
 mod law;
 mod measures;
 mod motion;

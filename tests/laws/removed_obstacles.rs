@@ -50,7 +50,7 @@ fn as_if_never_there<const D: usize>(scene: &Scene<D>, options: Options) {
         );
     }
     let sides =
-        |pairs: &[fmc_contact::contact::PairForces<D>]| pairs.iter().map(|pair| (pair.a, pair.b)).collect::<Vec<_>>();
+        |pairs: &[fmc_contact::contact::PairForces]| pairs.iter().map(|pair| (pair.a, pair.b)).collect::<Vec<_>>();
     let renumbered = sides(&expected.pairs).into_iter().map(|(a, b)| (a, if b == Rigid(1) { Rigid(2) } else { b }));
     assert_eq!(sides(&found.pairs), renumbered.collect::<Vec<_>>());
 

@@ -87,7 +87,7 @@ impl Check<'_> {
             let before = self.flaws.len();
             self.mesh(&key.then("mesh"), &body.mesh);
             let nodes = body.mesh.node_estimate();
-            if self.flaws.len() == before && !(nodes <= MOST_NODES) {
+            if self.flaws.len() == before && (nodes.is_nan() || nodes > MOST_NODES) {
                 let message = format!("it would have some {nodes:.0e} nodes; at most {MOST_NODES:.0e} are made");
                 self.flaw(&key.then("mesh"), message);
             }

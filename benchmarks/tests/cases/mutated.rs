@@ -33,7 +33,7 @@ fn strange(random: &mut Splitmix, before: &Value) -> Value {
         10 => Value::String(String::new()),
         11 => Value::Array(Vec::new()),
         12 => Value::Table(Table::new()),
-        13 => Value::Boolean(random.bits() % 2 == 0),
+        13 => Value::Boolean(random.bits().is_multiple_of(2)),
         _ => match before {
             Value::Integer(n) => Value::Integer(n.wrapping_mul(1 << (random.bits() % 63)).wrapping_sub(1)),
             Value::Float(x) => Value::Float(x * 10f64.powi((random.bits() % 41) as i32 - 20)),
@@ -59,7 +59,7 @@ fn mutate(random: &mut Splitmix, value: &mut Value) {
         Value::Table(table) if !table.is_empty() => {
             let at = random.bits() as usize % table.len();
             let (name, inner) = table.iter_mut().nth(at).expect("there are so many");
-            if random.bits() % 12 == 0 {
+            if random.bits().is_multiple_of(12) {
                 let name = name.to_owned();
                 table.remove(&name);
             } else {
@@ -74,7 +74,7 @@ fn mutate(random: &mut Splitmix, value: &mut Value) {
                 _ => mutate(random, &mut list[at]),
             }
         }
-        Value::Array(list) if !list.is_empty() && random.bits() % 2 == 0 => {
+        Value::Array(list) if !list.is_empty() && random.bits().is_multiple_of(2) => {
             let at = random.bits() as usize % list.len();
             mutate(random, &mut list[at]);
         }

@@ -50,6 +50,7 @@ def test_every_status_has_an_exception():
     for number, error in errors.BY_STATUS.items():
         name = library.fmc_status_name(number).decode()
         words = name.replace("FMC_ERROR_", "").title().replace("_", "")
-        # OverflowError is taken.
-        assert error.__name__ == {"Overflow": "Range"}.get(words, words) + "Error"
+        # OverflowError, InterruptedError and MemoryError are taken.
+        taken = {"Overflow": "Range", "Interrupted": "Ended", "Memory": "OutOfMemory"}
+        assert error.__name__ == taken.get(words, words) + "Error"
         assert error.status == number

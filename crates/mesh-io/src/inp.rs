@@ -5,13 +5,16 @@
 
 use super::{Instance, Mesh};
 use crate::excerpt::shortened;
-use anyhow::{Context, Result, bail, ensure};
+use anyhow::{Context, Result, anyhow, bail, ensure};
+use included::Expanded;
 use lines::{Keyword, Lines};
 use motion::Motion;
 use part::Part;
 use std::collections::{HashMap, HashSet};
+use std::path::Path;
 
 mod element_name;
+mod included;
 mod lines;
 mod motion;
 mod part;
@@ -19,8 +22,7 @@ mod placed;
 mod sets;
 
 /// Keywords without which a mesh would be another one than the file means.
-const REFUSED: [&str; 12] = [
-    "INCLUDE",
+const REFUSED: [&str; 11] = [
     "SYSTEM",
     "NGEN",
     "NFILL",
@@ -63,18 +65,20 @@ struct Deck {
     instance_names: HashSet<String>,
 }
 
-pub(super) fn parse(bytes: &[u8]) -> Result<Mesh> {
-    let text = String::from_utf8_lossy(bytes);
-    let mut lines = Lines::new(&text);
+/// The mesh of a file, with the files that it includes, which stand in its folder.
+pub(super) fn parse(bytes: &[u8], path: Option<&Path>) -> Result<Mesh> {
+    let whole = Expanded::new(&String::from_utf8_lossy(bytes), path)?;
+    of_text(&whole.text).map_err(|error| anyhow!("{}", whole.in_files(&format!("{error:#}"))))
+}
+
+fn of_text(text: &str) -> Result<Mesh> {
+    let mut lines = Lines::new(text);
     let mut deck = Deck::default();
     let (mut scope, mut begun) = (Scope::Model, 0);
     while let Some(keyword) = lines.keyword() {
         let Keyword { name, line, .. } = &keyword;
         if REFUSED.contains(&name.as_str()) {
             bail!("line {line}: *{name} is not supported: write nodes and elements themselves, in one file");
-        }
-        if matches!(name.as_str(), "NODE" | "ELEMENT" | "ELSET") && keyword.value("INPUT").is_some() {
-            bail!("line {line}: *{name} with INPUT= is not supported: write all into one file");
         }
         ensure!(!name.contains('='), "line {line}: *{} has no comma after its name", shortened(name));
         let before = scope;
@@ -105,7 +109,7 @@ pub(super) fn parse(bytes: &[u8]) -> Result<Mesh> {
         }
     }
     ensure!(scope == Scope::Model, "the file ends within what begins in line {begun}");
-    deck.mesh(bytes.len())
+    deck.mesh(text.len())
 }
 
 impl Deck {

@@ -94,7 +94,7 @@ impl Mesh {
         } else if start.starts_with(b"<") {
             vtu::parse(&bytes).with_context(|| file.clone())?
         } else if start.starts_with(b"*") {
-            inp::parse(&bytes).with_context(|| file.clone())?
+            inp::parse(&bytes, Some(path)).with_context(|| file.clone())?
         } else {
             bail!(
                 "{file} is neither a Gmsh mesh (.msh, format 4.1 or 2.2), nor a VTK unstructured grid (.vtu), nor an Abaqus input \
@@ -189,7 +189,7 @@ mod tests {
     fn parse(bytes: &[u8]) -> Result<Mesh> {
         match bytes.first() {
             Some(b'$') => gmsh::parse(bytes),
-            Some(b'*') => inp::parse(bytes),
+            Some(b'*') => inp::parse(bytes, None),
             _ => vtu::parse(bytes),
         }
     }

@@ -54,6 +54,46 @@ fn instances_are_moved_then_turned() {
     assert_eq!(mesh.points[21], [0.0, 0.0, 6.0]);
 }
 
+/// A mesh in several files is the mesh in one.
+#[test]
+fn included_files_stand_in_their_places() {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("included");
+    std::fs::create_dir_all(folder.join("parts")).unwrap();
+    let write = |name: &str, text: &str| std::fs::write(folder.join(name), text).unwrap();
+    let whole = read("whole", &format!("{PLANE}*ELSET, ELSET=TWO\n2\n")).unwrap();
+    let (nodes, elements) = PLANE.split_at(PLANE.find("*ELEMENT").unwrap());
+    write("parts/nodes.txt", nodes.strip_prefix("*NODE\n").unwrap());
+    write("parts/elements.inp", &format!("** elements\n{elements}*include,\n input = \"sets.inp\"\n"));
+    write("sets.inp", "*ELSET, ELSET=TWO\n2\n");
+    write("main.inp", "*Heading\nin parts\n*NODE, INPUT=parts/nodes.txt\n*INCLUDE, INPUT=parts/elements.inp\n*STEP\n");
+    let torn = Mesh::read(&folder.join("main.inp")).unwrap();
+    assert_eq!((&torn.points, &torn.node_tags, &torn.blocks), (&whole.points, &whole.node_tags, &whole.blocks));
+    assert_eq!(groups(&torn), groups(&whole));
+
+    let said = || format!("{:#}", Mesh::read(&folder.join("main.inp")).unwrap_err());
+    // What is wrong is told where it stands: in the file that was included, and behind it in the first.
+    write("sets.inp", "*ELSET, ELSET=TWO\n\nNONE\n");
+    assert!(
+        said().contains("line 3 of ") && said().contains("sets.inp: no element set has been named 'NONE'"),
+        "{}",
+        said()
+    );
+    write("sets.inp", "*INCLUDE, INPUT=main.inp\n");
+    assert!(said().contains("main.inp includes itself"), "{}", said());
+    write("sets.inp", "*INCLUDE, INPUT=parts\n");
+    assert!(said().contains("parts is not a file"), "{}", said());
+    write("sets.inp", "*INCLUDE\n");
+    assert!(said().contains("line 1 of ") && said().contains("*INCLUDE has no INPUT="), "{}", said());
+    write("sets.inp", "** nothing\n");
+    write("main.inp", "*INCLUDE, INPUT=parts/elements.inp\n*NODE\n1,x,0\n");
+    assert!(said().contains("line 3: expected a number"), "{}", said());
+    // A file of files of files.
+    write("sets.inp", &"*INCLUDE, INPUT=more.inp\n".repeat(300));
+    write("more.inp", &"*INCLUDE, INPUT=most.inp\n".repeat(300));
+    write("most.inp", &"** nothing at all\n".repeat(300));
+    assert!(said().contains("is included too often"), "{}", said());
+}
+
 /// Two triangles and a square in a row.
 const PLANE: &str =
     "*NODE\n1,0,0\n2,1,0\n3,1,1\n4,0,1\n5,2,0\n60,2,1\n*ELEMENT,TYPE=CPS3,ELSET=ALL\n1,1,2,3\n2,1,3,4\n";
@@ -101,8 +141,8 @@ fn what_is_wrong_is_named_with_its_line() {
         (format!("{PLANE}*NODE\n1,0,0\n"), "line 12: node 1 is there twice"),
         (format!("{PLANE}*NODE\n9,0,zero\n"), "line 12: expected a number, found 'zero'"),
         (format!("{PLANE}*NODE, SYSTEM=C\n"), "line 11: nodes in the coordinates SYSTEM=C are not supported"),
-        (format!("{PLANE}*NODE, INPUT=n.txt\n"), "line 11: *NODE with INPUT= is not supported"),
-        (format!("{PLANE}*Include, input=more.inp\n"), "line 11: *INCLUDE is not supported"),
+        (format!("{PLANE}*NODE, INPUT=n.txt\n"), "line 11 includes 'n.txt'"),
+        (format!("{PLANE}*Include, input=more.inp\n"), "line 11 includes 'more.inp'"),
         (format!("{PLANE}*NGEN\n1,9,1\n"), "line 11: *NGEN is not supported"),
         (format!("{PLANE}*ELSET,ELSET=X\nOTHER\n"), "line 12: no element set has been named 'OTHER'"),
         (format!("{PLANE}*ELSET,ELSET=X,GENERATE\n1\n"), "line 12: expected first, last and step"),

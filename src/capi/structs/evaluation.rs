@@ -252,7 +252,7 @@ pub(crate) fn side_of(partner: Partner) -> (i32, usize) {
     }
 }
 
-fn pair<const D: usize>(found: &PairForces<D>) -> fmc_pair_result {
+fn pair(found: &PairForces) -> fmc_pair_result {
     let ((a_kind, a), (b_kind, b)) = (side_of(found.a), side_of(found.b));
     fmc_pair_result {
         struct_size: size_of::<fmc_pair_result>(),
@@ -271,7 +271,7 @@ fn pair<const D: usize>(found: &PairForces<D>) -> fmc_pair_result {
         friction_dissipation: found.friction.dissipated,
         stick_area: found.friction.stick_area,
         slip_area: found.friction.slip_area,
-        force: padded(&found.force),
+        force: found.force,
         reserved: [0; 1],
     }
 }

@@ -25,7 +25,7 @@ pub struct Resultant<const D: usize> {
 
 /// One overlapping pair.
 #[derive(Clone, Debug, PartialEq)]
-pub struct PairForces<const D: usize> {
+pub struct PairForces {
     /// First side.
     pub a: Partner,
     /// Second side; equal to `a` for a body that overlaps itself.
@@ -52,9 +52,9 @@ pub struct PairForces<const D: usize> {
     pub penetration: f64,
     /// Spacing of the fibers; 0 for `exact`. Given back as `Resolution::Spacing`, it keeps the pattern.
     pub spacing: f64,
-    /// Force of the first side on the second, friction included; the second's on the first is its negative, up to what the estimator
+    /// Force of the first side on the second, friction included; in 2D the last entry is 0. The second's on the first is its negative, up to what the estimator
     /// leaves unbalanced.
-    pub force: [f64; D],
+    pub force: [f64; 3],
     /// Moment of that force about the origin, as [`Resultant::moment`] has it.
     pub moment: [f64; 3],
     /// Its friction.
@@ -92,7 +92,7 @@ pub struct ContactForces<const D: usize> {
     /// Friction, summed over the pairs.
     pub friction: FrictionTotals,
     /// The overlapping pairs.
-    pub pairs: Vec<PairForces<D>>,
+    pub pairs: Vec<PairForces>,
     /// What the user should know.
     pub warnings: Vec<Warning>,
 }
@@ -198,7 +198,7 @@ impl<const D: usize> ContactForces<D> {
             contact_area: overlap.contact_area,
             penetration: overlap.penetration,
             spacing: overlap.spacing,
-            force: on_b.force,
+            force: in_space(&on_b.force),
             moment: on_b.moment,
             friction: FrictionTotals::default(),
         };
@@ -234,7 +234,8 @@ impl<const D: usize> ContactForces<D> {
         self.friction = self.friction.plus(pair.totals);
         if let Some(found) = self.pairs.iter_mut().find(|found| (found.a, found.b) == (a, b)) {
             found.friction = pair.totals;
-            found.force = std::array::from_fn(|axis| found.force[axis] + on_b.force[axis]);
+            let force = in_space(&on_b.force);
+            found.force = std::array::from_fn(|axis| found.force[axis] + force[axis]);
             found.moment = std::array::from_fn(|axis| found.moment[axis] + on_b.moment[axis]);
         }
     }
@@ -245,6 +246,11 @@ impl<const D: usize> ContactForces<D> {
             Partner::Obstacle(obstacle) => &mut self.obstacles[obstacle],
         }
     }
+}
+
+/// A vector as one in space.
+fn in_space<const D: usize>(x: &[f64; D]) -> [f64; 3] {
+    std::array::from_fn(|axis| x.get(axis).copied().unwrap_or(0.0))
 }
 
 impl<const D: usize> Resultant<D> {

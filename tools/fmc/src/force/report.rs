@@ -91,7 +91,7 @@ impl Report {
             contact_area: pair.contact_area,
             penetration: pair.penetration,
             spacing: pair.spacing,
-            force: pair.force.to_vec(),
+            force: pair.force[..D].to_vec(),
             moment: turns(&pair.moment),
         });
         Self {
