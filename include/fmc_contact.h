@@ -1095,7 +1095,7 @@ typedef struct {
   // its negative. 0 for a body that overlaps itself.
   double force[3];
   // Zero.
-  uint64_t reserved[1];
+  uint64_t reserved[4];
 } fmc_pair_result;
 
 // Contact forces at `coords`, the current coordinates of all nodes of the mesh.

@@ -328,7 +328,7 @@ module fmc_contact_c
     real(c_double) :: stick_area
     real(c_double) :: slip_area
     real(c_double) :: force(3)
-    integer(c_int64_t) :: reserved(1)
+    integer(c_int64_t) :: reserved(4)
   end type
 
   type, bind(c) :: fmc_step_limit

@@ -376,7 +376,7 @@ pub struct fmc_pair_result {
     pub stick_area: f64,
     pub slip_area: f64,
     pub force: [f64; 3],
-    pub reserved: [u64; 1],
+    pub reserved: [u64; 4],
 }
 
 #[repr(C)]

@@ -132,7 +132,7 @@ pub struct fmc_pair_result {
     /// its negative. 0 for a body that overlaps itself.
     pub force: [f64; 3],
     /// Zero.
-    pub reserved: [u64; 1],
+    pub reserved: [u64; 4],
 }
 
 /// Kind of a warning.
@@ -272,6 +272,6 @@ fn pair(found: &PairForces) -> fmc_pair_result {
         stick_area: found.friction.stick_area,
         slip_area: found.friction.slip_area,
         force: found.force,
-        reserved: [0; 1],
+        reserved: [0; 4],
     }
 }

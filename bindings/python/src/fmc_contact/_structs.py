@@ -235,7 +235,7 @@ class fmc_pair_result(Structure):
         ("stick_area", c_double),
         ("slip_area", c_double),
         ("force", c_double * 3),
-        ("reserved", c_uint64 * 1),
+        ("reserved", c_uint64 * 4),
     ]
 
 
