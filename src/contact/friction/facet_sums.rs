@@ -123,7 +123,9 @@ impl<const D: usize> Sums<D> {
 
     /// Force at which the facet slid where it bore otherwise, by pressure that grows with the depth.
     pub(super) fn limit_of(&self, bore: &Bearing, now: &Bearing) -> f64 {
-        let by_depth = if now.depth > 0.0 { bore.depth / now.depth } else { 1.0 };
+        // Of a correction few digits matter, and the last ones of a depth are those of how it was measured.
+        let few = |x: f64| f64::from(x as f32);
+        let by_depth = if now.depth > 0.0 { few(bore.depth / now.depth) } else { 1.0 };
         self.pressed * by_depth + (self.limit - self.pressed) * (bore.area / now.area)
     }
 
