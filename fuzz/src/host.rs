@@ -32,7 +32,7 @@ use crate::in_parts;
 use crate::interface::*;
 use crate::mesh::Mesh;
 use crate::program::{Call, MOST_CALLS, Program};
-use callbacks::{Distance, log};
+use callbacks::{Distance, go_on, log};
 use obstacles::pose;
 use options::options;
 use stateless::{suggest, texts};
@@ -130,6 +130,9 @@ impl Host {
                 let callback: fmc_log_callback = if *calls_back { Some(log) } else { None };
                 // SAFETY: the callback asks the context that calls it.
                 checked(unsafe { fmc_context_set_log(self.context, callback, self.context.cast()) });
+                let asked: fmc_interrupt_callback = if *calls_back { Some(go_on) } else { None };
+                // SAFETY: so does this one.
+                checked(unsafe { fmc_context_set_interrupt(self.context, asked, self.context.cast()) });
             }
             Call::Stateless { hole } => self.stateless(*hole),
             Call::FromFacets { facets, types: [one, other], is_wide } if one % 2 == 1 => {

@@ -124,12 +124,12 @@ unsafe fn compare(mesh: &Mesh, whole: *mut fmc_context, part: *mut fmc_context, 
 /// A context that lives.
 unsafe fn carry(mesh: &Mesh, part: *mut fmc_context, slip: f64, hole: Hole, base: i64) {
     let mut coords = Array::new(&mesh.coords, mesh.dim, Layout::Rows);
-    let given =
-        [0, 1].map(|face| {
-            let cell = i64::from(hole % 4) + base;
-            let (partner_kind, is_second, partner) = (i32::from(hole / 4 % 3), i32::from(hole / 16 % 2), usize::from(hole / 32));
-            fmc_carried_slip { cell, face, part: 0, partner_kind, is_second, partner, slip: [slip, 0.5, 0.0], slid: 0.25 }
-        });
+    let given = [0, 1].map(|face| {
+        let cell = i64::from(hole % 4) + base;
+        let (partner_kind, is_second, partner) =
+            (i32::from(hole / 4 % 3), i32::from(hole / 16 % 2), usize::from(hole / 32));
+        fmc_carried_slip { cell, face, part: 0, partner_kind, is_second, partner, slip: [slip, 0.5, 0.0], slid: 0.25 }
+    });
     let given = Guarded::new(&given);
     // SAFETY: as above; arrays as long as they are said to be.
     unsafe {
@@ -146,7 +146,16 @@ unsafe fn carry(mesh: &Mesh, part: *mut fmc_context, slip: f64, hole: Hole, base
             let status = checked(fmc_context_carried_slip(part, null_mut(), 0, &raw mut length));
             assert!(if status == OK { length <= 2 } else { length == 77 }, "status {status}, {length} facets");
             assert!(has_step || status != OK, "slip without a step");
-            let none = fmc_carried_slip { cell: -1, face: -1, part: -1, partner_kind: 0, is_second: 0, partner: 0, slip: [0.0; 3], slid: 0.0 };
+            let none = fmc_carried_slip {
+                cell: -1,
+                face: -1,
+                part: -1,
+                partner_kind: 0,
+                is_second: 0,
+                partner: 0,
+                slip: [0.0; 3],
+                slid: 0.0,
+            };
             let found = Guarded::new(&vec![none; if status == OK { length } else { 0 }]);
             if status == OK && length > 0 {
                 assert!(checked(fmc_context_carried_slip(part, found.ptr(), length - 1, &raw mut length)) != OK);

@@ -86,6 +86,17 @@ pub(super) unsafe extern "C" fn log(user: *mut c_void, level: i32, text: *const 
     }
 }
 
+/// Lets a call go on.
+///
+/// # Safety
+/// As the header says of the callback; `user` is the context, which is busy.
+pub(super) unsafe extern "C" fn go_on(user: *mut c_void) -> i32 {
+    let mut count = 0usize;
+    // SAFETY: the context lives.
+    checked(unsafe { fmc_context_counts(user.cast(), &raw mut count, null_mut(), null_mut()) });
+    0
+}
+
 /// Gathers what this rank sends as if all had sent it.
 ///
 /// # Safety
