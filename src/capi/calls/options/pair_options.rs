@@ -211,6 +211,7 @@ pub unsafe extern "C" fn fmc_context_pair_options(
 mod tests {
     use super::*;
     use crate::capi::boundary::status::fmc_status::{FMC_ERROR_RESERVED_FIELD, FMC_ERROR_STRUCT_SIZE};
+    use crate::contact::StaticFriction;
     use crate::{EnergyProfile, PenetrationLaw};
 
     fn refused(change: impl FnOnce(&mut fmc_pair_options)) -> (fmc_status, String) {
@@ -233,7 +234,10 @@ mod tests {
             for excluded in [false, true] {
                 for friction_coefficient in [None, Some(0.0), Some(0.3)] {
                     let gap_offset = friction_coefficient.unwrap_or(-0.2);
-                    let options = PairOptions { excluded, law: Some(law), friction_coefficient, gap_offset };
+                    let own = |mu: f64| StaticFriction { coefficient: 1.5 * mu, weakening_slip: 0.1 };
+                    let static_friction = friction_coefficient.filter(|mu| *mu > 0.0).map(own);
+                    let law = Some(law);
+                    let options = PairOptions { excluded, law, friction_coefficient, static_friction, gap_offset };
                     assert_eq!(fmc_pair_options::from(options).to_pair_options().unwrap(), options);
                 }
             }
@@ -253,7 +257,7 @@ mod tests {
             (|o| (o.law, o.smoothing_length) = (2, 1.0), conflict, "'smoothing_length' belongs to the law 'fiber'"),
             (|o| o.law = 3, VALUE, "option 'law' has no value 3"),
             (|o| o.excluded = 2, VALUE, "option 'excluded' has no value 2"),
-            (|o| o.reserved[9] = 1, reserved, "later version"),
+            (|o| o.reserved[7] = 1, reserved, "later version"),
         ] {
             let (status, found) = refused(change);
             assert!(status == wanted && found.contains(text), "{found}");
