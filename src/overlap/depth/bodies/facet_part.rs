@@ -135,6 +135,28 @@ impl<const D: usize> FacetPart<D> {
     }
 }
 
+/// A point between two, all of whose coordinates lie between theirs: what is inside a face at both ends stays inside, so that a facet on
+/// which that face has no corner outside needs no cut there, and agrees with a neighbour that has.
 fn between<const N: usize>(from: &[f64; N], to: &[f64; N], part: f64) -> [f64; N] {
-    std::array::from_fn(|i| from[i] + part * (to[i] - from[i]))
+    std::array::from_fn(|i| {
+        let (p, q) = (from[i], to[i]);
+        (p + part * (q - p)).max(p.min(q)).min(p.max(q))
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A cut at a corner that lies inside another face by less than the last bit of the other end's coordinate.
+    #[test]
+    fn a_cut_stays_inside_other_faces() {
+        let inside = f64::EPSILON / 16.0;
+        let barycentric = [[0.5, 0.5, -0.8, 0.8], [-0.9, 0.3, 0.8, 0.8], [0.0, inside, 0.2, 0.8 - inside]];
+        let mut part = FacetPart::<3>::default();
+        part.reset(&barycentric);
+        assert!(part.cut_to_face(0));
+        let nearest = part.in_piece().iter().map(|at| at[1]).fold(f64::INFINITY, f64::min);
+        assert_eq!(nearest, inside);
+    }
 }
