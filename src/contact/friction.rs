@@ -8,11 +8,12 @@
 //!
 //! `options` · `return_mapping` (from slip to traction) · `past_points`, `step` (the state when
 //! the step began) · `side_motion` (how one side moved since) · `touch` (the part of the step during which a facet bears) · `carried` (elastic slip from one step to the next) · `carriers` (the facets on which a point
-//! lies) · `energy` (what a facet has dissipated) · `facet_sums` (sums over the points of a facet) · `slip_facets` (the facets of a pair with their slip) ·
+//! lies) · `energy` (what a facet has dissipated) · `bore` (limits before) · `facet_sums` (sums over the points of a facet) · `slip_facets` (the facets of a pair with their slip) ·
 //! `tractions` (forces, tangent and energies of a pair) · `frozen` (facets and pressure of an earlier iteration) ·
 //! `at_points` (what hosts see)
 
 mod at_points;
+mod bore;
 mod carried;
 mod carriers;
 mod energy;

@@ -229,9 +229,12 @@ fn friction_on_a_shell() {
         contact.commit_step(&moved).unwrap();
         let tangent = contact.tangent(&moved, TangentPart::Full).unwrap();
         let force = contact.evaluate(&moved).unwrap().bodies[0].force;
-        (contact.slip().unwrap().iter().flat_map(|one| one.slip).collect::<Vec<f64>>(), force, tangent)
+        // A facet that carries nothing has no row, and one that carries rounding may have one.
+        let mut slip = vec![[0.0; 2]; scene.surface().facet_count()];
+        contact.slip().unwrap().iter().for_each(|one| slip[one.facet] = one.slip);
+        (slip.concat(), force, tangent)
     });
-    assert!(found.1[0] < -1e-3 && !found.0.is_empty() && found.0.len() == expected.0.len());
+    assert!(found.1[0] < -1e-3 && found.0.iter().any(|x| x.abs() > 1e-4), "{:?}", found.1);
     let close = |a: &f64, b: &f64| (a - b).abs() < 1e-13;
     assert!(found.0.iter().zip(&expected.0).all(|(a, b)| close(a, b)));
     assert!(found.1.iter().zip(&expected.1).all(|(a, b)| close(a, b)));

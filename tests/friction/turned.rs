@@ -40,8 +40,9 @@ fn turned<const D: usize>(scene: &crate::Scene<D>, axes: [usize; 2], degrees: f6
                 "{:?} {step} of {degrees}: {error:?} of {expected:?}",
                 options.law
             );
-            // But for what lies at its limit and beyond it by rounding.
-            assert!(found.friction.dissipated < 1e-12 * found.friction.stored, "{:?}", found.friction);
+            // But for what lies at its limit and beyond it by rounding, and for area that changes by what a turned law measures.
+            let lost = if tolerance < 1e-9 { 1e-12 } else { tolerance };
+            assert!(found.friction.dissipated < lost * found.friction.stored, "{:?}", found.friction);
             contact.commit_step(&coords).expect("valid coordinates");
         }
     }

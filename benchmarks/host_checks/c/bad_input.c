@@ -431,7 +431,7 @@ static void contexts(void) {
   EXPECT(FMC_ERROR_NOT_POSITIVE, "'exponent' is 0.5", BODIES);
   wanted = own, wanted.struct_size = 0;
   EXPECT(FMC_ERROR_STRUCT_SIZE, "fmc_pair_options has struct_size 0", BODIES);
-  wanted = own, wanted.reserved[9] = 1;
+  wanted = own, wanted.reserved[7] = 1;
   EXPECT(FMC_ERROR_RESERVED_FIELD, "later version", BODIES);
   wanted = own, wanted.law = 9;
   EXPECT(FMC_ERROR_BAD_VALUE, "option 'law' has no value 9", BODIES);

@@ -37,7 +37,8 @@ fn sliding_of<'a, const D: usize>(
     };
     let now = partners.bearing_rule(pair, method.options(), mesh.hashes());
     let bearings = history.bearings.as_ref().and_then(|bearings| bearings.of(pair, now));
-    Ok(Some(Sliding { friction, stick, step, bearings }))
+    let is_by_depth = law.initial_stiffness().is_some();
+    Ok(Some(Sliding { friction, stick, step, bearings, is_by_depth }))
 }
 
 /// The pairs that were in contact when the step began and are not any more, with the energy that was stored in them; `found` are those that

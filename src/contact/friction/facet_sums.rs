@@ -1,5 +1,6 @@
 //! Sums over the points of a facet on which friction acts.
 
+use super::bore::Bore;
 use super::carriers::{Carriers, in_surface};
 use super::side_motion::{LastFacet, Mover, SideMotion};
 use super::step::Sliding;
@@ -121,12 +122,9 @@ impl<const D: usize> Sums<D> {
         Bearing { area: self.area / whole, depth: self.depth / whole, whole }
     }
 
-    /// Force at which the facet slid where it bore otherwise, by pressure that grows with the depth.
-    pub(super) fn limit_of(&self, bore: &Bearing, now: &Bearing) -> f64 {
-        // Of a correction few digits matter, and the last ones of a depth are those of how it was measured.
-        let few = |x: f64| f64::from(x as f32);
-        let by_depth = if now.depth > 0.0 { few(bore.depth / now.depth) } else { 1.0 };
-        self.pressed * by_depth + (self.limit - self.pressed) * (bore.area / now.area)
+    /// How it bears, and the force at which it slides: of pressure, and of what does not grow with it.
+    pub(super) fn bore(&self) -> Bore {
+        Bore { area: self.area, depth: self.depth, pressed: self.pressed, cohesion: self.limit - self.pressed }
     }
 
     fn add_row(&mut self, row: Row<D>) {

@@ -4,6 +4,7 @@
 //! theirs. So the elastic slip is one vector for every facet, and nothing is carried from one to another: what does not
 //! slide does not creep.
 
+use super::bore::Bore;
 use super::carried::Carried;
 use super::carriers::{SliderName, in_surface};
 use super::facet_sums::{Row, Sums, add_point};
@@ -23,7 +24,7 @@ pub(crate) struct SlipFacets<const D: usize> {
     pub(crate) facets: Vec<SlipFacet<D>>,
     /// What moves the facets against the other side, one after the other.
     pub(crate) rows: Vec<Row<D>>,
-    /// Energy that was stored in facets that are not in contact any more.
+    /// Energy that was stored in facets that are not in contact any more, and that they took as they slid out of it.
     pub(crate) released: f64,
 }
 
@@ -81,15 +82,28 @@ impl<const D: usize> SlipFacets<D> {
         for point in pressed {
             add_point(&mut of_facets, pair, sliding, point, obstacle_node, &mut last);
         }
-        let facets = Vec::with_capacity(of_facets.len());
+        let (facets, bore) = (Vec::with_capacity(of_facets.len()), of_facets.values().map(Sums::bore).sum());
         let mut all = Self { partners: pair.partners, facets, rows: Vec::new(), released: 0.0 };
         for ((of_b, facet), sums) in of_facets {
             all.add(pair, sliding, (of_b, facet), sums);
         }
         let is_found =
             |of_b, facet| all.facets.binary_search_by_key(&(of_b, facet), |one| (one.of_b, one.facet)).is_ok();
-        all.released = sliding.released(pair.partners, is_found);
+        all.released = sliding.released(pair.partners, is_found) + all.left(sliding, &bore, is_found);
         all
+    }
+
+    /// Dissipated by facets that bore when the step began and do not now: they slid as the others, while their limit fell to nothing.
+    fn left(&self, sliding: &Sliding<D>, bore: &Bore, is_found: impl Fn(bool, usize) -> bool) -> f64 {
+        let slides = self.tractions().filter(|(_, _, traction)| traction.slides);
+        let slid: f64 = slides.map(|(facet, _, t)| facet.area * (facet.trial - t.elastic).norm()).sum();
+        let (Stick::Spring(_), Some(bearings), true) = (sliding.stick, sliding.bearings, slid > 0.0) else {
+            return 0.0;
+        };
+        let of_pair = bearings.range((self.partners, false, 0)..=(self.partners, true, usize::MAX));
+        let gone = of_pair.filter(|((_, of_b, facet), _)| !is_found(*of_b, *facet));
+        let limit: f64 = gone.map(|(_, before)| bore.limit_before(before, sliding.is_by_depth)).sum();
+        0.5 * limit * (slid / bore.area)
     }
 
     fn add(&mut self, pair: &Pair<D>, sliding: &Sliding<D>, (of_b, facet): (bool, u32), sums: Sums<D>) -> Option<()> {
@@ -109,7 +123,8 @@ impl<const D: usize> SlipFacets<D> {
                 let Carried { slip, slid } = sliding.step.slip.get(&name).copied().unwrap_or(none);
                 let slip = tangential(sums.deformation * slip) * sign;
                 let [area, limit] = bore.map_or([1.0, limit], |bore| {
-                    [bore.area / bearing.area, sums.limit_of(&bore, &bearing) / sums.area]
+                    let limit = sums.bore().limit_before(&bore, sliding.is_by_depth);
+                    [bore.area / bearing.area, limit / sums.area]
                 });
                 (touch, Before { slip, part: touch.carried, area, limit, slid })
             }

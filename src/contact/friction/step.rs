@@ -68,6 +68,8 @@ pub(crate) struct Sliding<'a, const D: usize> {
     pub(crate) step: &'a Step<D>,
     /// How facets bore when it began; `None` where that is not known of the pair.
     pub(crate) bearings: Option<&'a FacetBearings>,
+    /// Whether the pressure grows with the depth.
+    pub(crate) is_by_depth: bool,
 }
 
 impl<const D: usize> Sliding<'_, D> {
