@@ -27,11 +27,11 @@ impl Sum for Bore {
 }
 
 impl Bore {
-    /// Force at which a facet slid that bore so before: by its depth where pressure grows with the depth, by its area else.
-    pub(super) fn limit_before(&self, before: &Bearing, is_by_depth: bool) -> f64 {
+    /// Force at which a facet slid that bore so before, by pressure that grows with the depth.
+    pub(super) fn limit_before(&self, before: &Bearing) -> f64 {
         let by_area = before.area * before.whole / self.area;
-        let by = if is_by_depth && self.depth > 0.0 { few(before.depth * before.whole / self.depth) } else { by_area };
-        self.pressed * by + self.cohesion * by_area
+        let by_depth = if self.depth > 0.0 { few(before.depth * before.whole / self.depth) } else { by_area };
+        self.pressed * by_depth + self.cohesion * by_area
     }
 }
 

@@ -102,7 +102,7 @@ impl<const D: usize> SlipFacets<D> {
         };
         let of_pair = bearings.range((self.partners, false, 0)..=(self.partners, true, usize::MAX));
         let gone = of_pair.filter(|((_, of_b, facet), _)| !is_found(*of_b, *facet));
-        let limit: f64 = gone.map(|(_, before)| bore.limit_before(before, sliding.is_by_depth)).sum();
+        let limit: f64 = gone.map(|(_, before)| bore.limit_before(before)).sum();
         0.5 * limit * (slid / bore.area)
     }
 
@@ -122,10 +122,10 @@ impl<const D: usize> SlipFacets<D> {
                 let none = Carried { slip: Vector::zeros(), slid: 0.0 };
                 let Carried { slip, slid } = sliding.step.slip.get(&name).copied().unwrap_or(none);
                 let slip = tangential(sums.deformation * slip) * sign;
-                let [area, limit] = bore.map_or([1.0, limit], |bore| {
-                    let limit = sums.bore().limit_before(&bore, sliding.is_by_depth);
-                    [bore.area / bearing.area, limit / sums.area]
-                });
+                let area = bore.map_or(1.0, |bore| bore.area / bearing.area);
+                // Of a pressure that is one for a whole pair no facet tells what it was.
+                let before = bore.filter(|_| sliding.is_by_depth).map(|bore| sums.bore().limit_before(&bore));
+                let limit = before.map_or(limit, |before| before / sums.area);
                 (touch, Before { slip, part: touch.carried, area, limit, slid })
             }
             // Of which only the slip of the step counts, as a speed.
