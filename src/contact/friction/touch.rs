@@ -26,6 +26,9 @@ pub(crate) struct Bearing {
 /// All facets that bear, by their pair, their side and their number in the surface.
 pub(crate) type FacetBearings = BTreeMap<SliderName, Bearing>;
 
+/// Part of an area that counts as the same: the law `fiber` measures a contact that turns as a whole to some 1e-7.
+const MEASURED: f64 = 1e-6;
+
 /// What counts of a step's slip, and of the slip that was carried into it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Touch {
@@ -46,8 +49,9 @@ impl Touch {
         // Area that approach brings lies no deeper than it came: the less it is beside the depth, the less can be new. What
         // grows otherwise, as facets stretch or slide on to others, slips by all of the step.
         let new = (now.area - before.area).min(now.area * (approach * now.area / now.depth));
-        // What joins is not stretched, however it came.
-        let carried = if now.area > before.area { before.area / now.area } else { 1.0 };
+        // What joins is not stretched, however it came; but for what a law measures otherwise as bodies turn, since areas that go up and
+        // down would wear the traction out.
+        let carried = if now.area > before.area * (1.0 + MEASURED) { before.area / now.area } else { 1.0 };
         if new > 0.0 {
             let old = now.area - new;
             let mean = (now.depth - before.depth) / approach;
