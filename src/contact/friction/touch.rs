@@ -26,8 +26,8 @@ pub(crate) struct Bearing {
 /// All facets that bear, by their pair, their side and their number in the surface.
 pub(crate) type FacetBearings = BTreeMap<SliderName, Bearing>;
 
-/// Part of an area that counts as the same: the law `fiber` measures a contact that turns as a whole to some 1e-7.
-const MEASURED: f64 = 1e-6;
+/// Part of a facet that counts as nothing: the law `fiber` measures a contact that turns as a whole to some 1e-7.
+const MEASURED: f64 = 1e-5;
 
 /// What counts of a step's slip, and of the slip that was carried into it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -51,15 +51,18 @@ impl Touch {
         let new = (now.area - before.area).min(now.area * (approach * now.area / now.depth));
         // What joins is not stretched, however it came; but for what a law measures otherwise as bodies turn, since areas that go up and
         // down would wear the traction out.
-        let carried = if now.area > before.area * (1.0 + MEASURED) { before.area / now.area } else { 1.0 };
+        let grown = now.area - before.area;
         if new > 0.0 {
             let old = now.area - new;
             let mean = (now.depth - before.depth) / approach;
             let counted = mean.clamp(old, now.area) / now.area;
             let by_approach = if old < mean && mean < now.area { (1.0 - counted) / approach } else { 0.0 };
+            let carried = if grown > new + MEASURED { before.area / now.area } else { old / now.area };
             Self { carried, counted, by_approach }
+        } else if grown > MEASURED {
+            Self { carried: before.area / now.area, ..Self::WHOLE }
         } else {
-            Self { carried, ..Self::WHOLE }
+            Self::WHOLE
         }
     }
 }

@@ -96,11 +96,11 @@ impl<'a, const D: usize> DeepBodies<'a, D> {
     fn imbalance(&self, of_b: &[bool], gradient: &[Vector<D>]) -> f64 {
         let mut sides = [Vector::<D>::zeros(); 2];
         of_b.iter().zip(gradient).for_each(|(&of_b, g)| sides[usize::from(of_b)] += g);
+        let largest = sides[0].norm().max(sides[1].norm());
         if !self.pair.weighting.is_plain() {
             // Radial forces are not in balance.
             sides.iter_mut().for_each(|side| side[0] = 0.0);
         }
-        let largest = sides[0].norm().max(sides[1].norm());
         if largest > 0.0 { (sides[0] + sides[1]).norm() / largest } else { 0.0 }
     }
 
