@@ -141,11 +141,13 @@ print(find_equilibrium(host, contact, coords, range(8)).iterations)
 def test_two_levels_find_the_same_equilibrium_in_fewer_iterations(column):
     sparse = pytest.importorskip("scipy.sparse")
     coords, contact, host = column
+    # Free sideways the column is unstable, and rounding decides whether it leans.
+    upright = [unknown for unknown in FREE if unknown % 2 == 1]
     for push in (0.101, 0.102):
-        plain = find_equilibrium(host, contact, coords, FREE, pushed(coords, push), two_level=False)
+        plain = find_equilibrium(host, contact, coords, upright, pushed(coords, push), two_level=False)
         for kind in (np.asarray, sparse.csr_matrix):
             found = find_equilibrium(
-                lambda x, kind=kind: (host(x)[0], kind(host(x)[1])), contact, coords, FREE, pushed(coords, push),
+                lambda x, kind=kind: (host(x)[0], kind(host(x)[1])), contact, coords, upright, pushed(coords, push),
                 two_level=True,
             )  # fmt: skip
             assert found.iterations <= 2 < plain.iterations and found.way == "condensed"
