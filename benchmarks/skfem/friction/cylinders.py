@@ -99,8 +99,12 @@ class Cylinders:
         bodies, contact = self.bodies, self.bodies.contact
         # Facets are in the order of cells, and no cell near the contact has two.
         order = [m.boundary_facets()[np.argsort(m.f2t[0, m.boundary_facets()], kind="stable")] for m in bodies.meshes]
-        slip = contact.contact.friction.slip[sum(map(len, order[:body])) :][: len(order[body])]
-        q = (1, -1)[body] * contact.contact.options["stiffness"] * slip[:, 0]
+        # Rows of facet, partner (kind and index), side, slip and how far it slid; a facet that carries nothing has none.
+        rows = contact.contact.friction.slip
+        slip = np.zeros(sum(map(len, order)))
+        slip[rows[:, 0].astype(int)] = rows[:, 4]
+        slip = slip[sum(map(len, order[:body])) :][: len(order[body])]
+        q = (1, -1)[body] * contact.contact.options["stiffness"] * slip
         points = contact.contact.contact_points(contact.coords(bodies.u))
         centre = np.average(points.position[:, 0], weights=points.pressure * points.area)
         numbers = {tuple(sorted(ends)): facet for facet, ends in enumerate(bodies.meshes[body].facets[:, order[body]].T)}

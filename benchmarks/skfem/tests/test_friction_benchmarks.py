@@ -106,7 +106,9 @@ def test_loads_that_grow_in_proportion_make_nothing_slide():
         pair = cylinders.Cylinders(12)
         error, counts = pair.in_proportion(steps=steps)
         assert error < 0.04
-        assert pair.result.friction.slip_area == 0 and pair.result.friction.dissipation == 0
+        # As area joins, its facet's force is borne by more of it: what is lost so is told, though nothing slides.
+        friction = pair.result.friction
+        assert friction.slip_area == 0 and 0 <= friction.dissipation < 0.01 * friction.energy
         assert max(counts) <= 10
 
 

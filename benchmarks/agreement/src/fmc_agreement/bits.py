@@ -32,7 +32,7 @@ def begun_anew(problem: Problem, touching: Touching) -> None:
     touching.contact.multipliers.release()
     if problem.has_friction:
         touching.begin_step(np.zeros(problem.coords.shape))
-        touching.contact.friction.slip = np.zeros_like(touching.contact.friction.slip)
+        touching.contact.friction.slip = np.empty((0, 8))
 
 
 def compared(folder: Path, problem: Problem, force: Callable[[np.ndarray], np.ndarray]) -> dict[str, np.ndarray]:
