@@ -97,9 +97,8 @@ impl<const D: usize> SlipFacets<D> {
     fn left(&self, sliding: &Sliding<D>, bore: &Bore, is_found: impl Fn(bool, usize) -> bool) -> f64 {
         let slides = self.tractions().filter(|(_, _, traction)| traction.slides);
         let slid: f64 = slides.map(|(facet, _, t)| facet.area * (facet.trial - t.elastic).norm()).sum();
-        let (Stick::Spring(_), Some(bearings), true) = (sliding.stick, sliding.bearings, slid > 0.0) else {
-            return 0.0;
-        };
+        let is_known = sliding.is_by_depth && slid > 0.0;
+        let (Stick::Spring(_), Some(bearings), true) = (sliding.stick, sliding.bearings, is_known) else { return 0.0 };
         let of_pair = bearings.range((self.partners, false, 0)..=(self.partners, true, usize::MAX));
         let gone = of_pair.filter(|((_, of_b, facet), _)| !is_found(*of_b, *facet));
         let limit: f64 = gone.map(|(_, before)| bore.limit_before(before)).sum();

@@ -148,7 +148,7 @@ impl<const D: usize> FacetsInCells<'_, D> {
             };
             let part = counts * piece.sign;
             if is_same_way {
-                sums.flush += part * self.flush(facet, piece, inside);
+                sums.flush += part * self.flush(facet, &at_corners, inside);
             }
             if piece.is_cut() && !inside.cut_where(&piece.depths) {
                 return;
@@ -208,13 +208,10 @@ impl<const D: usize> FacetsInCells<'_, D> {
         Products { products, moved }
     }
 
-    /// Measure of the part of a facet that is in the other's face.
-    fn flush(&self, facet: &BodyFacet<D>, piece: &DepthPiece<D>, inside: &FacetPart<D>) -> f64 {
+    /// Measure of the part of a facet that is in the other's face, given the depth at its corners.
+    fn flush(&self, facet: &BodyFacet<D>, depths: &[f64; D], inside: &FacetPart<D>) -> f64 {
         let flat = FLAT * facet.size();
-        let depths: [f64; D] = facet.corners.each_ref().map(|x| {
-            let at = piece.barycentric(x);
-            (0..=D).map(|k| at[k] * piece.depths[k]).sum::<f64>() + self.clearance
-        });
+        let depths = depths.map(|depth| depth + self.clearance);
         let mut flush = 0.0;
         self.weighting.for_each_simplex(&facet.corners, inside.on_facet(), |corners, share, _| {
             let is_flat = |w: &[f64; D]| w.iter().zip(&depths).map(|(w, g)| w * g).sum::<f64>().abs() <= flat;
