@@ -43,7 +43,7 @@ pub(crate) mod weighting;
 pub use boundary_facet::BoundaryFacet;
 pub use cell::{Bodies, CellBlock, CellType};
 pub(crate) use coinciding::CoincidingFaces;
-pub(crate) use facet::moment;
+pub(crate) use facet::{cross_matrix, moment};
 pub use facet_block::{FacetBlock, FacetType};
 pub(crate) use march::{Intersection, MarchFailure, ROUNDS as MARCH_ROUNDS, SearchInterval, march};
 pub use point_weights::PointWeights;

@@ -63,3 +63,17 @@ pub(crate) fn moment<const D: usize>(x: &Vector<D>, f: &Vector<D>) -> [f64; 3] {
         _ => [x[1] * f[2] - x[2] * f[1], x[2] * f[0] - x[0] * f[2], x[0] * f[1] - x[1] * f[0]],
     }
 }
+
+/// The matrix of x ×; in 2D its first row gives the one component there is.
+pub(crate) fn cross_matrix<const D: usize>(x: &[f64; D]) -> [[f64; D]; D] {
+    let mut matrix = [[0.0; D]; D];
+    if D == 2 {
+        (matrix[0][0], matrix[0][1]) = (-x[1], x[0]);
+        return matrix;
+    }
+    for i in 0..D {
+        let (j, k) = ((i + 1) % D, (i + 2) % D);
+        (matrix[i][j], matrix[i][k]) = (-x[k], x[j]);
+    }
+    matrix
+}

@@ -13,7 +13,7 @@ use super::step::Step;
 use crate::contact::laws::{PointOnSide, PressurePoint};
 use crate::geometry::facet::area_vector;
 use crate::geometry::facet_slopes::slopes;
-use crate::geometry::{Pose, Vector};
+use crate::geometry::{Pose, Vector, cross_matrix};
 use crate::overlap::{Pair, Partner, PlaceInCell, SurfacePoint};
 use nalgebra::SMatrix;
 
@@ -148,16 +148,9 @@ pub(crate) struct Mover {
 
 /// What a point at `arm` from the axis moves by with a rotation vector; in 2D with its first entry.
 fn by_turn<const D: usize>(arm: &Vector<D>) -> SMatrix<f64, D, D> {
-    let mut moved = SMatrix::zeros();
-    if D == 2 {
-        (moved[(0, 0)], moved[(1, 0)]) = (-arm[1], arm[0]);
-        return moved;
-    }
-    for i in 0..D {
-        let (j, k) = ((i + 1) % D, (i + 2) % D);
-        (moved[(i, j)], moved[(i, k)]) = (arm[k], -arm[j]);
-    }
-    moved
+    // ω × arm = −arm × ω.
+    let across = cross_matrix(&(*arm).into());
+    SMatrix::from_fn(|i, j| across[j][i])
 }
 
 /// A facet, and its deformation since another state.

@@ -13,6 +13,7 @@
 use crate::Error;
 use crate::contact::laws::{Answer, Measured};
 use crate::contact::tangents::{RankOne, Tangent, TangentPart};
+use crate::geometry::cross_matrix;
 use crate::overlap::{Block, Partner};
 use std::collections::BTreeMap;
 
@@ -91,20 +92,6 @@ fn with_rotation<const D: usize>(
     let across = rows.iter().map(|(&col, value)| Block { row: number, col, value: *value });
     let blocks = down.chain(across).chain([Block { row: number, col: number, value: own }]).collect();
     Tangent::sum(vec![tangent, Tangent { blocks, rank_one: Vec::new() }])
-}
-
-/// The matrix of x ×; in 2D its first row gives the one component there is.
-fn cross_matrix<const D: usize>(x: &[f64; D]) -> Matrix<D> {
-    let mut matrix = [[0.0; D]; D];
-    if D == 2 {
-        (matrix[0][0], matrix[0][1]) = (-x[1], x[0]);
-        return matrix;
-    }
-    for i in 0..D {
-        let (j, k) = ((i + 1) % D, (i + 2) % D);
-        (matrix[i][j], matrix[i][k]) = (-x[k], x[j]);
-    }
-    matrix
 }
 
 fn add<const D: usize>(sum: &mut Matrix<D>, factor: f64, value: &Matrix<D>) {
