@@ -41,19 +41,17 @@ impl<const D: usize> SlipFacet<D> {
         (lost + if self.counted > 0.0 { grown(self.counted) } else { slid }).max(0.0)
     }
 
-    /// Mean of the limit while the facet slides, by that at the end: until it is reached the facet sticks, and it changes evenly.
+    /// Mean of the limit while the facet slides, by that at the end: until it is reached the facet sticks, and it changes evenly. 1 where it
+    /// is not known what the limit was.
     fn mean_limit(&self, traction: &Traction<D>, stiffness: f64) -> f64 {
         let Before { slip, part, area, limit, .. } = self.before;
         let along = self.trial - traction.elastic;
         let slid = along.norm();
-        if slid > 0.0 && self.slider.limit > 0.0 {
-            let carried = slip.dot(&along) / slid;
-            let stuck = (limit / (stiffness * area.max(1.0)) - part * carried).max(0.0);
-            // With a coefficient that falls it slid by more than now.
-            let limit = limit.max(stiffness * area * carried);
-            1.0 - 0.5 * (1.0 - limit / self.slider.limit) * slid / (slid + stuck)
-        } else {
-            1.0
-        }
+        let Some(limit) = limit.filter(|_| slid > 0.0 && self.slider.limit > 0.0) else { return 1.0 };
+        let carried = slip.dot(&along) / slid;
+        let stuck = (limit / (stiffness * area.max(1.0)) - part * carried).max(0.0);
+        // With a coefficient that falls it slid by more than now.
+        let limit = limit.max(stiffness * area * carried);
+        1.0 - 0.5 * (1.0 - limit / self.slider.limit) * slid / (slid + stuck)
     }
 }

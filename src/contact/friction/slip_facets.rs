@@ -67,8 +67,8 @@ pub(crate) struct Before<const D: usize> {
     pub(crate) part: f64,
     /// Area in contact.
     pub(crate) area: f64,
-    /// Force at which it slid.
-    pub(crate) limit: f64,
+    /// Traction at which it slid, where a facet tells it.
+    pub(crate) limit: Option<f64>,
     /// How far it had slid since it rested.
     pub(crate) slid: f64,
 }
@@ -123,13 +123,13 @@ impl<const D: usize> SlipFacets<D> {
                 let slip = tangential(sums.deformation * slip) * sign;
                 let area = bore.map_or(1.0, |bore| bore.area / bearing.area);
                 // Of a pressure that is one for a whole pair no facet tells what it was.
-                let before = bore.filter(|_| sliding.is_by_depth).map(|bore| sums.bore().limit_before(&bore));
-                let limit = before.map_or(limit, |before| before / sums.area);
+                let known = bore.filter(|_| sliding.is_by_depth);
+                let limit = known.map(|bore| sums.bore().limit_before(&bore) / sums.area);
                 (touch, Before { slip, part: touch.carried, area, limit, slid })
             }
             // Of which only the slip of the step counts, as a speed.
             Stick::Memoryless(_) => {
-                (Touch::WHOLE, Before { slip: Vector::zeros(), part: 1.0, area: 1.0, limit, slid: 0.0 })
+                (Touch::WHOLE, Before { slip: Vector::zeros(), part: 1.0, area: 1.0, limit: None, slid: 0.0 })
             }
         };
         let slip = sums.slip / sums.area;
