@@ -3,19 +3,23 @@
 //!
 //! `distances` (of points from a surface) · `node_depths` · `cell_parts` (a cell as simplices) · `divide` (simplices
 //! about points) · `incentre` · `near_surface` and `cell_division` (cells that have nodes on the surface) · `divisions`
-//! and `field` (what is kept) · `pieces` (the simplices on which the field is linear, where they are).
+//! and `field` (what is kept) · `curves` and
+//! `heights_in_cells` (curved faces) · `pieces` (the simplices on which the field is linear, where they are).
 
 mod cell_division;
 mod cell_parts;
+mod curves;
 mod distances;
 mod divide;
 mod divisions;
 mod field;
+mod heights_in_cells;
 mod incentre;
 mod near_surface;
 mod node_depths;
 mod pieces;
 
+pub(crate) use curves::{Curves, Quadratic};
 pub(crate) use divisions::MOST_NODES;
 pub(crate) use field::DepthField;
 pub(crate) use pieces::DepthPiece;

@@ -15,6 +15,7 @@ pub(crate) mod convex_piece;
 pub(crate) mod crossing;
 pub(crate) mod facet;
 mod facet_block;
+pub(crate) mod facet_sags;
 pub(crate) mod facet_slopes;
 pub(crate) mod hanging;
 pub(crate) mod inside;

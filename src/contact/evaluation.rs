@@ -2,13 +2,14 @@
 //!
 //! `parts` (the parts of a contact) · `bring`, `state` (the bodies at the coordinates, and what is remembered of them) · `walk` (which pairs may
 //! overlap, and on which threads they are measured) · `needed`, `gathered` (of some cells of a larger mesh: where none may be
-//! missing) · `sliding` (how a pair slides) · `kernels` (the evaluations, compiled for 2D and for 3D) · `agreed` (what ranks must have
+//! missing; `layer`: how near) · `sliding` (how a pair slides) · `kernels` (the evaluations, compiled for 2D and for 3D) · `agreed` (what ranks must have
 //! in common)
 
 mod agreed;
 mod bring;
 mod gathered;
 pub(super) mod kernels;
+mod layer;
 mod needed;
 mod parts;
 mod sliding;

@@ -21,6 +21,8 @@ pub(crate) struct Mesh<const D: usize> {
     /// Planes of symmetry, as they were told, and the faces in them; `None` where nothing was said.
     told: Option<Told<D>>,
     symmetry: Option<Symmetry<D>>,
+    /// At less than which angle, in radians, straight faces stand for a smooth surface.
+    feature_angle: Option<f64>,
     /// Depth of the cells, found when it is asked for first.
     depth: OnceLock<Option<DepthField<D>>>,
     /// Faces of one body that coincide, found when they are asked for first.
@@ -31,9 +33,9 @@ pub(crate) struct Mesh<const D: usize> {
 impl<const D: usize> Mesh<D> {
     pub(crate) fn new(surface: Surface<D>) -> Self {
         let offsets = Offsets::none();
-        let hashes = MeshHashes { depths: [hash_of(surface.reference()), 0], offsets: offsets.hash() };
+        let hashes = MeshHashes { depths: [hash_of(surface.reference()), 0, 0], offsets: offsets.hash() };
         let (depth, coinciding) = (OnceLock::new(), OnceLock::new());
-        Self { surface, offsets, told: None, symmetry: None, depth, coinciding, hashes }
+        Self { surface, offsets, told: None, symmetry: None, feature_angle: None, depth, coinciding, hashes }
     }
 
     /// The points of the straight mesh that is measured: those of the nodes at `coords`, with what the surface lies beside them.
@@ -63,7 +65,7 @@ impl<const D: usize> Mesh<D> {
     /// How deep the cells of bodies lie below their surfaces, where there are cells.
     /// It is found at the first call; `check` may end that.
     pub(crate) fn depth_field(&self, weighting: Weighting, check: &dyn Fn()) -> Option<&DepthField<D>> {
-        let new = || DepthField::new(&self.surface, self.symmetry.as_ref(), weighting, check);
+        let new = || DepthField::new(&self.surface, self.symmetry.as_ref(), weighting, self.feature_angle, check);
         self.depth.get_or_init(new).as_ref()
     }
 
@@ -75,6 +77,31 @@ impl<const D: usize> Mesh<D> {
     /// Of what decides how facets bear.
     pub(crate) fn hashes(&self) -> MeshHashes {
         self.hashes
+    }
+
+    /// Has straight faces that meet at less than this angle, in degrees, stand for a smooth surface; 0: none.
+    pub(crate) fn set_surface_smoothing(&mut self, feature_angle: f64) -> Result<(), Error> {
+        if !(0.0..90.0).contains(&feature_angle) {
+            return Err(Error::NotPositive { name: "feature_angle", value: feature_angle });
+        }
+        let angle = (feature_angle > 0.0).then(|| feature_angle.to_radians());
+        if angle.is_some() {
+            self.surface.refuse_submesh("a smoothed surface of a mesh in parts")?;
+            if self.surface.cells.is_none() {
+                return Err(Error::Unsupported { what: "a smoothed surface without cells" });
+            }
+        }
+        if angle != self.feature_angle {
+            self.feature_angle = angle;
+            self.hashes.depths[2] = feature_angle.to_bits();
+            self.forget_depth();
+        }
+        Ok(())
+    }
+
+    /// Whether faces may be measured as curved ones.
+    pub(crate) fn may_be_curved(&self) -> bool {
+        self.feature_angle.is_some() || !self.surface.curved().is_empty()
     }
 
     /// Has depths found again, for another weighting.
@@ -162,7 +189,7 @@ impl<const D: usize> Mesh<D> {
     /// Takes other cells of the same mesh, with its planes of symmetry and marks of the nodes in them.
     pub(crate) fn take_cells(&mut self, surface: Surface<D>, symmetry: Option<Symmetry<D>>) {
         // How facets bore before is known of those that are still there.
-        *self = Self { hashes: self.hashes, ..Self::new(surface) };
+        *self = Self { hashes: self.hashes, feature_angle: self.feature_angle, ..Self::new(surface) };
         if let Some(symmetry) = symmetry {
             self.mark_symmetry(symmetry);
         }

@@ -2,6 +2,7 @@
 
 use super::cell_division::CellDivision;
 use super::cell_parts::{own_points, parts};
+use super::curves::Curves;
 use super::distances::Distances;
 use super::divisions::{CellPoint, CellSimplex, Divisions};
 use super::near_surface::NearSurface;
@@ -33,6 +34,8 @@ pub(crate) struct DepthField<const D: usize> {
     is_surface_told: bool,
     /// How far the round surface that a facet stands for lies beside it, by facet.
     sags: Vec<f64>,
+    /// Faces that are known to be curved, if there are some.
+    curves: Option<Curves<D>>,
 }
 
 /// In the order of their numbers.
@@ -41,11 +44,12 @@ const TYPES: [CellType; 6] =
 
 impl<const D: usize> DepthField<D> {
     /// The field of a surface that has cells; `None` for one that has none. Faces in planes of symmetry are no surface, nor is what
-    /// lies on an axis. `check` is called now and then, and may unwind.
+    /// lies on an axis. With a feature angle, in radians, straight faces that meet at a smaller one stand for a smooth surface. `check` is called now and then, and may unwind.
     pub(crate) fn new(
         surface: &Surface<D>,
         symmetry: Option<&Symmetry<D>>,
         weighting: Weighting,
+        feature_angle: Option<f64>,
         check: &dyn Fn(),
     ) -> Option<Self> {
         let cells = surface.cells.as_ref()?;
@@ -90,11 +94,12 @@ impl<const D: usize> DepthField<D> {
             let of_cell = CellDivision::new(&near, cell);
             divisions.add(&of_cell.points, &of_cell.simplices)
         });
-        let division_of = division_of.collect();
+        let division_of: Vec<u32> = division_of.collect();
         let connected = connected_bodies(cells, surface.body_count());
         let is_surface_told = symmetry.is_some();
         let sags = surface.sags(facet_is_surface);
-        Some(Self { nodes, anchors, divisions, division_of, connected, is_surface_told, sags })
+        let curves = Curves::new(surface, cells, (&divisions, &division_of), (facet_is_surface, feature_angle));
+        Some(Self { nodes, anchors, divisions, division_of, connected, is_surface_told, sags, curves })
     }
 
     /// The point of the surface that is nearest to a node below it without deformation, as nodes and their weights; `None`
@@ -126,6 +131,11 @@ impl<const D: usize> DepthField<D> {
     /// How far the round surface that a facet stands for lies beside it, by facet of all bodies.
     pub(crate) fn sags(&self) -> &[f64] {
         &self.sags
+    }
+
+    /// Faces that are known to be curved; `None` where all are flat.
+    pub(crate) fn curves(&self) -> Option<&Curves<D>> {
+        self.curves.as_ref()
     }
 
     /// Whether a body's cells hang together by faces.

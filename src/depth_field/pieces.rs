@@ -10,6 +10,10 @@ use crate::geometry::facet_slopes::cross;
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct DepthPiece<const D: usize> {
     pub(crate) cell: u32,
+    /// Its number among the simplices of the cell.
+    pub(crate) simplex: u32,
+    /// Numbers of its corners in the cell.
+    pub(crate) numbers: [u8; 4],
     /// D + 1 corners, the least deep first.
     pub(crate) corners: [Vector<D>; 4],
     /// Depth at the corners; less the clearance, where the contact begins below the surface, so that it may be negative.
@@ -31,7 +35,8 @@ pub(crate) struct DepthPiece<const D: usize> {
 }
 
 impl<const D: usize> DepthPiece<D> {
-    fn new(
+    /// `None` where it is flat.
+    pub(crate) fn new(
         cell: u32,
         corners: [Vector<D>; 4],
         depths: [f64; 4],
@@ -44,6 +49,8 @@ impl<const D: usize> DepthPiece<D> {
         let sign = if flipped { -turn } else { turn };
         Some(Self {
             cell,
+            simplex: 0,
+            numbers: [0; 4],
             corners,
             depths,
             weights,
@@ -112,7 +119,7 @@ impl<const D: usize> DepthField<D> {
         // Cells that share a point must find it at the same place, to the last bit: its nodes are summed in one order.
         let mut order: [usize; MOST_NODES] = std::array::from_fn(|k| k);
         order[..count].sort_unstable_by_key(|&k| nodes[k]);
-        for simplex in simplices {
+        for (number, simplex) in simplices.iter().enumerate() {
             let depth_of = |corner: u8| match (corner as usize).checked_sub(count) {
                 Some(point) => points[point].depth(depth, count),
                 None => depth(corner as usize),
@@ -120,17 +127,18 @@ impl<const D: usize> DepthField<D> {
             let (numbers, depths, is_odd) = by_depth::<D>(simplex.corners, depth_of);
             let (mut corners, mut weights) = ([Vector::zeros(); 4], [[0.0; MOST_NODES]; 4]);
             for k in 0..=D {
-                let number = numbers[k] as usize;
-                if let Some(point) = number.checked_sub(count).map(|point| &points[point]) {
+                let corner = numbers[k] as usize;
+                if let Some(point) = corner.checked_sub(count).map(|point| &points[point]) {
                     corners[k] =
                         order[..count].iter().fold(Vector::zeros(), |sum, &n| sum + at_nodes[n] * point.weights[n]);
                     weights[k] = point.weights;
                 } else {
-                    (corners[k], weights[k][number]) = (at_nodes[number], 1.0);
+                    (corners[k], weights[k][corner]) = (at_nodes[corner], 1.0);
                 }
             }
             if let Some(piece) = DepthPiece::new(cell as u32, corners, depths, weights, flipped != is_odd) {
-                visit(DepthPiece { is_at_surface: simplex.is_at_surface, ..piece });
+                let is_at_surface = simplex.is_at_surface;
+                visit(DepthPiece { is_at_surface, simplex: number as u32, numbers, ..piece });
             }
         }
     }
@@ -205,7 +213,7 @@ mod tests {
         let mesh = meshes[0].1;
         let surface = Surface::from_cells(&mesh.coords, &blocks, Bodies::Connected).unwrap();
         let (field, cells) =
-            (DepthField::new(&surface, None, Weighting::Plain, &|| ()).unwrap(), surface.cells.as_ref().unwrap());
+            (DepthField::new(&surface, None, Weighting::Plain, None, &|| ()).unwrap(), surface.cells.as_ref().unwrap());
         let mut pieces: Vec<DepthPiece<D>> = Vec::new();
         (0..cells.len()).for_each(|cell| field.for_each_piece(cells, cell, &mesh.coords, |piece| pieces.push(piece)));
         let volume: f64 = pieces.iter().map(|piece| piece.sign * piece.measure).sum();

@@ -4,7 +4,7 @@ use super::facet::area_vector;
 use super::{Surface, Vector};
 
 /// Facets that meet at a larger angle meet at an edge of the body: cosine of 45°. An octagon is none of a round body.
-const SMOOTH: f64 = std::f64::consts::FRAC_1_SQRT_2;
+pub(crate) const SMOOTH: f64 = std::f64::consts::FRAC_1_SQRT_2;
 
 impl<const D: usize> Surface<D> {
     /// Largest distance of every facet, without deformation, from the surface whose normals at the vertices are those of the facets

@@ -26,6 +26,7 @@ mod division;
 mod entities;
 mod facets;
 mod interpolation;
+mod on_curve;
 mod point_rows;
 mod refined;
 mod shape_functions;
@@ -36,6 +37,7 @@ pub use basis::Basis;
 pub(crate) use curved_cells::{CurvedCells, MapCheck};
 pub(crate) use division::Division;
 pub(crate) use interpolation::Interpolation;
+pub(crate) use on_curve::OnCurve;
 
 /// Ends of every edge of a cell of second order, in the order of the nodes in their middle.
 pub(super) fn middle_edges(cell_type: CellType) -> &'static [[usize; 2]] {

@@ -31,6 +31,8 @@ pub(crate) struct Submesh<const D: usize> {
     pub(crate) surface_node_counts: Vec<usize>,
     /// Box of all surfaces without deformation.
     pub(crate) reference_box: Aabb<D>,
+    /// Of the whole bodies, how far curved faces lie outside of straight ones, at most.
+    pub(crate) heights: Vec<f64>,
 }
 
 impl<const D: usize> Submesh<D> {
@@ -51,6 +53,7 @@ const HANGING: Error = Error::Unsupported { what: "nodes that hang in a mesh tha
 pub(crate) struct Whole<const D: usize> {
     pub(crate) surface_node_counts: Vec<usize>,
     pub(crate) reference_box: Aabb<D>,
+    pub(crate) heights: Vec<f64>,
 }
 
 /// A face of a cell as given that has no cell of its body behind it.
@@ -125,7 +128,7 @@ impl<const D: usize> Surface<D> {
                 what: "cells that meet in a face of which one part of the mesh knows nothing",
             });
         }
-        let Whole { surface_node_counts, reference_box } = whole;
+        let Whole { surface_node_counts, reference_box, heights } = whole;
         self.submesh = Some(Box::new(Submesh {
             is_cut,
             cut_faces,
@@ -136,6 +139,7 @@ impl<const D: usize> Surface<D> {
             reach: 0.0,
             surface_node_counts: surface_node_counts.clone(),
             reference_box: *reference_box,
+            heights: heights.clone(),
         }));
         Ok(())
     }

@@ -30,7 +30,7 @@ pub struct Surface<const D: usize> {
     /// Cell of every facet; empty for surfaces given directly.
     pub(crate) facet_cell: Vec<u32>,
     /// Where every facet comes from: the face of its cell, or the facet as given.
-    pub(super) facet_source: Vec<u32>,
+    pub(crate) facet_source: Vec<u32>,
     /// Vertices of every body, ascending: its nodes, then its centroids.
     pub(crate) vertices: Vec<Vec<u32>>,
     /// Whether the facets of a body hang together, by body.

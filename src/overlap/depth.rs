@@ -8,10 +8,11 @@
 //! need the first two moments of A in every such piece.
 //!
 //! `measure` (of a pair) · `integral` (what a law is handed) · `points` (where it presses) · `facet_sums` (over facets) · `curved_faces` (a warning) · `simplex_parts` ·
-//! `bodies` (two of cells, or one with itself) · `obstacles` (a rigid partner)
+//! `bodies` (two of cells, or one with itself) · `curves` (two with curved faces) · `obstacles` (a rigid partner)
 
 mod bodies;
 mod curved_faces;
+mod curves;
 pub(crate) mod facet_sums;
 pub(crate) mod integral;
 pub(crate) mod measure;

@@ -37,9 +37,26 @@ impl<const D: usize> OwnMesh<D> {
             own.surface.as_mut().map_or(Ok(()), |surface| surface.make_submesh(&own.surface_faces, &own.whole));
         ranks.agree(own_surface, 2)?;
         own.surface_vertices = own.vertices();
+        own.whole.heights = own.heights(ranks)?;
         let sizes = ranks.gather_lists(&[own.mean_extent()])?;
         own.cell_size = sizes.into_iter().flatten().fold(0.0, f64::max);
         Ok(own)
+    }
+}
+
+impl<const D: usize> OwnMesh<D> {
+    /// How far curved faces lie outside of straight ones, at most, by body of the whole mesh.
+    fn heights(&self, ranks: &Ranks) -> Result<Vec<f64>, Error> {
+        let mut heights = vec![0.0f64; self.body_ids.len()];
+        for surface in self.surface.iter() {
+            for (body, height) in surface.largest_heights().into_iter().enumerate() {
+                heights[self.body_of(surface, body)] = height;
+            }
+        }
+        for of_rank in ranks.gather_lists(&heights)? {
+            heights.iter_mut().zip(of_rank).for_each(|(most, height)| *most = height.max(*most));
+        }
+        Ok(heights)
     }
 }
 
@@ -117,7 +134,7 @@ fn find<const D: usize>(own: &OwnMesh<D>, lone: &[LoneFace], ranks: &Ranks) -> R
     let first = |body| of_body(body).map(|(_, is_inner, cell)| (is_inner, cell)).min().map_or(0, |(_, cell)| cell);
     let first_cells = (0..points.len()).map(first).collect();
     let reference_box = boxes.iter().fold(Aabb::empty(), |all, aabb| all.union(aabb));
-    Ok(Border { surface_faces, first_cells, whole: Whole { surface_node_counts, reference_box } })
+    Ok(Border { surface_faces, first_cells, whole: Whole { surface_node_counts, reference_box, heights: Vec::new() } })
 }
 
 /// By rank, the box of the nodes of its faces that have no own cell behind them; those of second order bulge beyond their corners.

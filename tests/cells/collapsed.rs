@@ -50,7 +50,8 @@ fn surface<const D: usize>(scene: &Scene<D>, blocks: &Blocks) -> Result<Surface<
     Surface::from_cells(&scene.coords, &blocks, Bodies::Ids(&scene.ids))
 }
 
-/// Energy, volume, forces and tangent of both, and what they say of their surfaces.
+/// Energy, volume, forces and tangent of both, and what they say of their surfaces. On curved faces in space the law `depth` sums points
+/// up, on triangles that depend on the order of the corners.
 fn are_the_same<const D: usize>(scene: &Scene<D>, given: &Blocks, what: &str) {
     let surfaces = [&scene.blocks, given].map(|blocks| surface(scene, blocks).expect("cells"));
     let faces = |surface: &Surface<D>| -> BTreeSet<(usize, Vec<u32>)> {
@@ -61,7 +62,11 @@ fn are_the_same<const D: usize>(scene: &Scene<D>, given: &Blocks, what: &str) {
         surface.faces().into_iter().map(|(body, nodes)| (body, sorted(nodes))).collect()
     };
     assert_eq!(faces(&surfaces[0]), faces(&surfaces[1]), "{what}");
-    for law in [EnergyLaw::depth(1.0), EnergyLaw::volume(1.0)] {
+    let is_curved = scene.blocks.iter().any(|(cell_type, _)| cell_type.straight() != *cell_type);
+    for (law, within) in [
+        (EnergyLaw::depth(1.0), if is_curved { [1e-7, 1e-4] } else { [1e-12; 2] }),
+        (EnergyLaw::volume(1.0), [1e-12; 2]),
+    ] {
         let [expected, found] = surfaces.clone().map(|surface| {
             let contact = Contact::new(surface, Options::new(law)).expect("options");
             let tangent = contact.tangent(&scene.coords, TangentPart::Full).expect("a tangent");
@@ -70,15 +75,15 @@ fn are_the_same<const D: usize>(scene: &Scene<D>, given: &Blocks, what: &str) {
         });
         let size: f64 = expected.0.forces.iter().flatten().map(|f| f.abs()).sum();
         assert!(expected.0.volume > 1e-3 && size > 1e-3, "{what}: no contact");
-        let close = |x: f64, y: f64, of: f64| assert!((x - y).abs() <= 1e-12 * of, "{what}, {law:?}: {x} {y}");
-        close(expected.0.volume, found.0.volume, expected.0.volume);
-        close(expected.0.energy, found.0.energy, expected.0.energy);
+        let close = |x: f64, y: f64, of: f64| assert!((x - y).abs() <= of, "{what}, {law:?}: {x} {y}");
+        close(expected.0.volume, found.0.volume, within[0] * expected.0.volume);
+        close(expected.0.energy, found.0.energy, within[0] * expected.0.energy);
         for (f, g) in expected.0.forces.iter().flatten().zip(found.0.forces.iter().flatten()) {
-            close(*f, *g, size);
+            close(*f, *g, within[0] * size);
         }
         let size: f64 = expected.1.iter().flatten().map(|f| f.abs()).sum();
         for (f, g) in expected.1.iter().flatten().zip(found.1.iter().flatten()) {
-            close(*f, *g, size);
+            close(*f, *g, within[1] * size);
         }
     }
 }

@@ -7,6 +7,7 @@ mod clearance;
 mod coarse;
 mod corners;
 mod curved;
+mod curves;
 mod derivatives;
 mod far;
 mod fields;

@@ -6,7 +6,7 @@ use crate::parts::{Part, compare, of_whole, told};
 use crate::same_bits::{options, plane_blocks, solid_blocks};
 use crate::scene::{Scene, exact};
 use fmc_contact::{Contact, EnergyLaw, Obstacle, Options, PartitionedContact};
-use fmc_shapes::{rectangle_quad4, second_order};
+use fmc_shapes::{Mesh, cuboid_hex8, rectangle_quad4, second_order};
 
 /// Two answers of every step of a path.
 fn along<const D: usize>(
@@ -134,6 +134,28 @@ fn with_cells_of_second_order() {
     for law in [EnergyLaw::volume(40.0), EnergyLaw::fiber(30.0), EnergyLaw::depth(50.0)] {
         same_in_parts(&scene, &sliding(&scene, 7e-3), Options { law, ..exact() }, &[], 3, stripes(3, 2.0));
     }
+}
+
+/// Faces that are curved without deformation, which are measured as such.
+#[test]
+fn with_curved_faces() {
+    let [a, b] = plane_blocks();
+    let scene =
+        Scene::of(&[&second_order(&a, 8), &second_order(&b, 9)]).mapped(|[x, y]| [x, y + 0.05 * (3.0 * x).sin()]);
+    let options = Options { law: EnergyLaw::depth(50.0), ..exact() };
+    for size in [1, 2, 3, 5] {
+        same_in_parts(&scene, &sliding(&scene, 7e-3), options, &[], size, stripes(size, 2.0));
+    }
+    same_in_parts(&scene, &sliding(&scene, 7e-3), options, &[], 3, |cell, _| cell % 3);
+    let solid = |cells: [usize; 3]| second_order(&cuboid_hex8([0.0; 3], [2.0, 1.0, 0.6], cells), 20);
+    let above = |mut mesh: Mesh<3>| {
+        mesh.coords.iter_mut().for_each(|x| *x = [0.3 + 0.8 * x[0], 0.1 + 0.8 * x[1], 0.595 + x[2]]);
+        mesh
+    };
+    let scene = Scene::of(&[&solid([11, 5, 1]), &above(solid([9, 4, 1]))]);
+    let scene = scene.mapped(|[x, y, z]| [x, y, z + 0.05 * (3.0 * x + y).sin()]);
+    let path = &sliding(&scene, 0.09)[..2];
+    same_in_parts(&scene, path, options, &[], 3, stripes(3, 2.0));
 }
 
 /// A small zone in a large mesh: few facets are gathered, and the same few on all ranks.

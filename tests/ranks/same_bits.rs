@@ -126,6 +126,8 @@ fn with_cells_of_second_order() {
     for law in [EnergyLaw::volume(40.0), EnergyLaw::fiber(30.0), EnergyLaw::depth(50.0)] {
         whatever_the_number_of_ranks(&scene, Options { law, ..exact() }, &[], &[3]);
     }
+    let curved = scene.mapped(|[x, y]| [x, y + 0.05 * (3.0 * x).sin()]);
+    whatever_the_number_of_ranks(&curved, Options { law: EnergyLaw::depth(50.0), ..exact() }, &[], &[3]);
 }
 
 #[test]

@@ -64,7 +64,8 @@ fn all_options() -> Vec<Options> {
     vec![exactly(volume), sampled(volume), exactly(fiber), sampled(fiber), exactly(EnergyLaw::depth(5.0))]
 }
 
-/// The arms are the strip without its bend, which touches nothing.
+/// The arms are the strip without its bend, which touches nothing. The law `depth` measures two bodies on their curves, and a body against
+/// itself on straight facets, which lie h²/72R = 5e-5 beside them here.
 #[test]
 fn a_curved_fold_is_like_two_bodies() {
     for nodes in [6, 8, 9] {
@@ -83,11 +84,12 @@ fn a_curved_fold_is_like_two_bodies() {
             let (off, size) = (distance(&forces, &expected.forces), norm(&expected.forces));
             let elsewhere = norm(&found.forces).powi(2) - norm(&forces).powi(2);
             let what = format!("{nodes} {options:?}");
+            let within = if matches!(options.law, EnergyLaw::Depth { .. }) { 1e-3 } else { 1e-12 };
             assert!(
-                off < 1e-12 * size && elsewhere.abs() < 1e-12 * size * size,
+                off < within * size && elsewhere.abs() < 1e-12 * size * size,
                 "{what}: {off} of {size}, {elsewhere}"
             );
-            assert!((found.energy / expected.energy - 1.0).abs() < 1e-12, "{what}");
+            assert!((found.energy / expected.energy - 1.0).abs() < within, "{what}");
         }
     }
 }

@@ -1,5 +1,6 @@
 //! Where nothing of a body may be missing.
 
+use super::layer::layer;
 use super::parts::Contact;
 use crate::Error;
 use crate::configuration::BodyTree;
@@ -28,6 +29,7 @@ pub(crate) fn needed<const D: usize>(
 ) -> Result<Vec<Vec<Needed<D>>>, Error> {
     let Contact { partners, method, .. } = contact;
     let table = &partners.table;
+    let reach = reach.max(layer(contact));
     let mut needed: Vec<Vec<Needed<D>>> = vec![Vec::new(); boxes.len()];
     let whole = |aabb: Aabb<D>| Needed { aabb, apex: None };
     let mut bodies = BodyTree::default();

@@ -1,6 +1,7 @@
 //! The pairs that may overlap.
 
 use super::bring::with_state;
+use super::layer::layer;
 use super::parts::Contact;
 use super::state::State;
 use crate::Error;
@@ -29,7 +30,7 @@ pub(crate) fn for_each_pair_within<const D: usize, T: Send>(
     work: impl Fn(&Measured<D>) -> Result<Option<T>, Error> + Sync,
 ) -> Result<Vec<T>, Error> {
     with_state(contact, coords, |state| {
-        let pairs = pairs(contact, state, reach);
+        let pairs = pairs(contact, state, reach, layer(contact));
         let work = |partners: &[Partner; 2]| with_pair(contact, state, *partners, &work);
         // Ranks meet in every pair, one pair after the other.
         let Some(pool) = contact.work.pool().filter(|_| contact.work.ranks().is_none()) else {
@@ -49,11 +50,11 @@ pub(crate) fn for_each_pair_within<const D: usize, T: Send>(
 
 /// Partners that are not left out and whose boxes meet, or nearly do, ascending: for every body itself (if asked for),
 /// later bodies, obstacles.
-fn pairs<const D: usize>(contact: &Contact<D>, state: &State<D>, reach: f64) -> Vec<[Partner; 2]> {
+fn pairs<const D: usize>(contact: &Contact<D>, state: &State<D>, reach: f64, layer: f64) -> Vec<[Partner; 2]> {
     let Contact { mesh, partners, method, .. } = contact;
     let table = &partners.table;
     let mut pairs = Vec::new();
-    let meeting = state.configuration.meeting_bodies(reach);
+    let meeting = state.configuration.meeting_bodies(reach.max(layer));
     let mut next = meeting.iter().peekable();
     for i in 0..mesh.surface.body_count() {
         let itself = [Partner::Body(i); 2];

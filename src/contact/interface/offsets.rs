@@ -33,4 +33,16 @@ impl<const D: usize> Contact<D> {
     pub fn set_offsets(&mut self, offsets: &[[f64; D]]) -> Result<(), Error> {
         adjustment::set(self, offsets)
     }
+
+    /// Has straight faces that stand for round surfaces measured as these: where faces of first order meet at less than `feature_angle`
+    /// degrees, the surface between them is the smooth one whose normals at the nodes are those of the faces around each. For the law
+    /// `depth` between two bodies; 0 takes faces for flat, the default. Curved faces of second order are measured as curved in any
+    /// case. At a larger angle faces meet at an edge of the body: 30 is right for a pin of 16 facets and more.
+    ///
+    /// # Errors
+    /// [`Error::NotPositive`] for an angle that is negative, no number, or 90 and more; [`Error::Unsupported`] for a surface without cells and
+    /// for a mesh in parts. What was set before then stays.
+    pub fn set_surface_smoothing(&mut self, feature_angle: f64) -> Result<(), Error> {
+        self.mesh.set_surface_smoothing(feature_angle)
+    }
 }

@@ -8,8 +8,9 @@ use std::collections::BTreeMap;
 /// Hashes of what a mesh has to do with it: another hash, another way to bear.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct MeshHashes {
-    /// Of that from which depths are found: the coordinates without deformation, and the nodes in planes of symmetry.
-    pub(crate) depths: [u64; 2],
+    /// Of that from which depths are found: the coordinates without deformation, the nodes in planes of symmetry, and the angle up to
+    /// which faces are smooth.
+    pub(crate) depths: [u64; 3],
     /// Of how far the surface lies beside its nodes.
     pub(crate) offsets: u64,
 }
@@ -20,7 +21,7 @@ pub(crate) struct BearingRule {
     /// The estimator of a local law; all others have depths, which need none.
     lines: Option<Estimator>,
     /// Which depths these are, of two bodies.
-    depths: Option<[u64; 2]>,
+    depths: Option<[u64; 3]>,
     /// How far the surface lies beside its nodes.
     offsets: u64,
     gap_offset: f64,

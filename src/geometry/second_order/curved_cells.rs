@@ -5,7 +5,7 @@
 
 use super::entities::Entities;
 use super::point_rows::row;
-use super::shape_functions::{ShapeFunctions, places};
+use super::shape_functions::{ShapeFunctions, places, point_places};
 use crate::Error;
 use crate::error::MapPoint;
 use crate::geometry::facet::determinant;
@@ -23,6 +23,10 @@ pub(crate) struct CurvedCells {
     /// Whether a cell is mirrored, as its straight parts are.
     pub(super) is_flipped: Vec<bool>,
     at: Vec<Place>,
+    shape: ShapeFunctions,
+    /// Nodes as combinations of points, and where the points of the division stand.
+    of_nodes: DMatrix<f64>,
+    places: Vec<[f64; 3]>,
 }
 
 /// Where maps are looked at.
@@ -81,6 +85,9 @@ impl CurvedCells {
             conn: conn.to_vec(),
             is_flipped,
             at: of_nodes.chain(of_quadrature).map(place).collect(),
+            places: (0..entities.count()).map(point_places(cell_type, &entities)).collect(),
+            of_nodes: nodes,
+            shape,
         })
     }
 
@@ -96,6 +103,30 @@ impl CurvedCells {
     /// Points of a cell that stand for its nodes.
     pub(crate) fn points(&self, cell: usize) -> &[u32] {
         &self.conn[cell * self.size..(cell + 1) * self.size]
+    }
+
+    /// Where a point of the division stands in the coordinates of the shape functions, by its number in the cell.
+    pub(super) fn place_of_point(&self, point: usize) -> [f64; 3] {
+        self.places[point]
+    }
+
+    /// Where the map of a cell has a place.
+    pub(super) fn position<const D: usize>(&self, cell: usize, place: [f64; 3], coords: &[[f64; D]]) -> Vector<D> {
+        let of_points = self.shape.values(place) * &self.of_nodes;
+        let points = self.points(cell).iter().zip(of_points.iter());
+        points.fold(Vector::zeros(), |x, (&point, &weight)| x + Vector::from(coords[point as usize]) * weight)
+    }
+
+    /// How fast the position changes along a direction of the coordinates.
+    pub(super) fn slope<const D: usize>(
+        &self,
+        (cell, place): (usize, [f64; 3]),
+        direction: [f64; 3],
+        coords: &[[f64; D]],
+    ) -> Vector<D> {
+        let of_points = DMatrix::from_row_slice(1, 3, &direction) * self.shape.gradients(place) * &self.of_nodes;
+        let points = self.points(cell).iter().zip(of_points.iter());
+        points.fold(Vector::zeros(), |x, (&point, &weight)| x + Vector::from(coords[point as usize]) * weight)
     }
 
     /// Checks that no map of some cells folds, at the places that `check` says: a determinant below zero by more than rounding. It may be zero, as at the tip of a

@@ -19,15 +19,20 @@ fn corners(straight: CellType) -> Vec<[f64; 3]> {
     }
 }
 
-/// Where the nodes stand: each in the middle of the corners around it.
+/// Where the nodes stand.
 pub(super) fn places(cell_type: CellType, entities: &Entities) -> Vec<[f64; 3]> {
+    (0..cell_type.node_count()).map(point_places(cell_type, entities)).collect()
+}
+
+/// Where the points of the division stand: each in the middle of the corners around it.
+pub(super) fn point_places(cell_type: CellType, entities: &Entities) -> impl Fn(usize) -> [f64; 3] {
     let corners = corners(cell_type.straight());
-    let place = |node: usize| {
-        let around = entities.around(node);
+    let entities = *entities;
+    move |point: usize| {
+        let around = entities.around(point);
         let sum = |axis: usize| around.iter().map(|&corner| corners[corner][axis]).sum::<f64>();
         std::array::from_fn(|axis| sum(axis) / around.len() as f64)
-    };
-    (0..cell_type.node_count()).map(place).collect()
+    }
 }
 
 /// A term xᵃ yᵇ zᶜ / (1 − z)ᵈ, by its exponents; d only in pyramids.
@@ -66,7 +71,8 @@ fn of_term(&[a, b, c, d]: &Term, [x, y, z]: [f64; 3]) -> (f64, [f64; 3]) {
     (px * py * pz * q, [dx * py * pz * q, px * dy * pz * q, px * py * (dz * q + pz * dq)])
 }
 
-/// Derivatives of the shape functions of all nodes.
+/// The shape functions of all nodes, and their derivatives.
+#[derive(Clone, Debug)]
 pub(super) struct ShapeFunctions {
     terms: Vec<Term>,
     /// Shape functions by terms, (terms, nodes).
@@ -80,6 +86,12 @@ impl ShapeFunctions {
         // Terms that do not fit the nodes would have no inverse: that there is one is tested.
         let of_terms = if values.is_square() { values.try_inverse() } else { None }?;
         Some(Self { terms, of_terms })
+    }
+
+    /// The functions of all nodes at a place, (1, nodes).
+    pub(super) fn values(&self, place: [f64; 3]) -> DMatrix<f64> {
+        let of_terms = DMatrix::from_fn(1, self.terms.len(), |_, term| of_term(&self.terms[term], place).0);
+        of_terms * &self.of_terms
     }
 
     /// Derivatives of the functions of all nodes at a place, (3, nodes).

@@ -20,4 +20,9 @@ mod piece_moments;
 mod point_sums;
 mod two_bodies;
 
-pub(crate) use two_bodies::of_bodies;
+pub(super) use cell_pieces::CellPieces;
+pub(super) use deep_bodies::{CHUNK, DeepBodies};
+pub(super) use facet_clip::{Found, clip};
+pub(super) use facet_part::FacetPart;
+pub(super) use point_sums::PointSums;
+pub(super) use two_bodies::of_bodies;

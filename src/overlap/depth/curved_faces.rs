@@ -1,14 +1,19 @@
 //! Whether straight facets stand for a round surface well enough.
 
 use super::integral::FacetDepth;
+use crate::depth_field::Curves;
 use crate::overlap::pair::partner::Partner;
 use crate::overlap::pair::sides::Pair;
 use crate::overlap::pair::warning::Warning;
 
 /// A warning where the facets in contact lie farther beside the surfaces that they stand for than the penetration, both as means over the
 /// area of contact: where such faces conform, their facets touch by waves, with pressures that are wrong by factors. A surface that
-/// multipliers move out has the penetration that would give its pressure.
-pub(crate) fn curved_faces<const D: usize>(pair: &Pair<D>, facets: &[FacetDepth<D>]) -> Option<Warning> {
+/// multipliers move out has the penetration that would give its pressure. Facets whose surface is `known` count as that.
+pub(crate) fn curved_faces<const D: usize>(
+    pair: &Pair<D>,
+    facets: &[FacetDepth<D>],
+    known: Option<&Curves<D>>,
+) -> Option<Warning> {
     let sags = pair.depth?.sags();
     let mut of_side = [[0.0; 2]; 2];
     let (mut depth, mut area) = (0.0, 0.0);
@@ -16,7 +21,10 @@ pub(crate) fn curved_faces<const D: usize>(pair: &Pair<D>, facets: &[FacetDepth<
         let Partner::Body(body) = pair.partners[usize::from(found.of_b && !pair.is_own())] else { continue };
         let inside: f64 = found.areas.iter().sum();
         let [sum, of_area] = &mut of_side[usize::from(found.of_b)];
-        *sum += inside * sags[pair.surface.ranges[body].start + found.facet as usize];
+        let facet = pair.surface.ranges[body].start + found.facet as usize;
+        if known.is_none_or(|curves| curves.facet(facet).is_flat()) {
+            *sum += inside * sags[facet];
+        }
         *of_area += inside;
         area += inside;
         depth += found.depths.iter().sum::<f64>();

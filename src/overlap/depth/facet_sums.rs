@@ -30,6 +30,13 @@ pub(crate) struct FacetSums<const D: usize> {
 packed!(FacetSums<D> { gradient, hessian, facets, points, area, depth, deepest, piece_count, flush });
 
 impl<const D: usize> FacetSums<D> {
+    /// Takes what a facet has inside: ∫ N_a and ∫ g N_a, in parts of its measure.
+    pub(crate) fn add_facet(&mut self, facet: &BodyFacet<D>, areas: &[f64; D], depths: &[f64; D], of_b: bool) {
+        let in_measure = |sums: &[f64; D]| sums.map(|sum| sum * facet.measure);
+        let (areas, depths) = (in_measure(areas), in_measure(depths));
+        self.facets.push(FacetDepth { facet: facet.number, of_b, areas, depths });
+    }
+
     /// Adds a facet of one side to its nodes, given ∫ N_a and ∫ g N_a over what it has inside, in parts of its measure; its
     /// force counts by `weight`.
     pub(crate) fn add_to_nodes(
@@ -39,13 +46,7 @@ impl<const D: usize> FacetSums<D> {
         depths: &[f64; D],
         (of_b, weight): (bool, f64),
     ) {
-        let in_measure = |sums: &[f64; D]| sums.map(|sum| sum * facet.measure);
-        self.facets.push(FacetDepth {
-            facet: facet.number,
-            of_b,
-            areas: in_measure(areas),
-            depths: in_measure(depths),
-        });
+        self.add_facet(facet, areas, depths, of_b);
         for (corner, weights) in facet.weights.iter().enumerate() {
             let force = facet.normal * (weight * (depths[corner] * facet.measure));
             for (&node, &part) in facet.nodes.iter().zip(weights).filter(|(_, part)| **part != 0.0) {

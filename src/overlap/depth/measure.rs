@@ -1,6 +1,7 @@
 //! The depth of the sides of a pair below each other's surfaces.
 
 use super::bodies::of_bodies;
+use super::curves::of_curved_bodies;
 use super::integral::{DepthIntegral, DepthRequest};
 use super::obstacles::of_obstacle;
 use crate::Error;
@@ -17,6 +18,9 @@ pub(crate) fn depth_integral<const D: usize>(
 ) -> Result<Option<DepthIntegral<D>>, Error> {
     match (pair.partners[1], pair.pose) {
         (Partner::Obstacle(_), Some(pose)) => of_obstacle(pair, pose, request),
-        _ => of_bodies(pair, request),
+        _ => match of_curved_bodies(pair, request)? {
+            Some(found) => Ok(found),
+            None => of_bodies(pair, request),
+        },
     }
 }

@@ -34,7 +34,7 @@ pub(crate) struct FacetGap<const D: usize> {
 /// [`Error::SignedDistance`] where a function of the host fails.
 pub(crate) fn facet_gap<const D: usize>(
     pair: &Pair<D>,
-    facet: &BodyFacet<D>,
+    (facet, of_b): (&BodyFacet<D>, bool),
     surface: &NearSurface<D>,
 ) -> Result<FacetGap<D>, Error> {
     let rule = degree_5(D - 1);
@@ -52,7 +52,7 @@ pub(crate) fn facet_gap<const D: usize>(
         let share = bare * weighting.at(x);
         let Some(found) = found.filter(|found| facet.normal.dot(&found.distance.gradient) <= -FACING) else { continue };
         gap.is_near = true;
-        let phi = found.distance.phi + pair.clearance;
+        let phi = found.distance.phi + pair.clearance - found.height - pair.height(of_b, facet.number, at);
         for corner in 0..D {
             gap.areas[corner] += share * facet.measure * at[corner];
             gap.gaps[corner] += share * facet.measure * at[corner] * phi;

@@ -23,6 +23,8 @@ pub(crate) struct Nearest<const D: usize> {
     pub(crate) distance: Distance<D>,
     /// Vertices of the surface and their weights; `None` on an obstacle.
     pub(crate) foot: Option<([u32; D], [f64; D])>,
+    /// How far the curved face for which that surface stands lies outside of it.
+    pub(crate) height: f64,
 }
 
 impl<'a, const D: usize> NearSurface<'a, D> {
@@ -50,7 +52,9 @@ impl<'a, const D: usize> NearSurface<'a, D> {
     /// [`Error::SignedDistance`] where a function of the host fails.
     pub(crate) fn nearest(&self, points: &[Vector<D>]) -> Result<Vec<Option<Nearest<D>>>, Error> {
         let Some(shape) = &self.shape else { return Ok(points.iter().map(|x| self.on_facets(x)).collect()) };
-        let within = |distance: Distance<D>| (distance.phi < self.reach).then_some(Nearest { distance, foot: None });
+        let within = |distance: Distance<D>| {
+            (distance.phi < self.reach).then_some(Nearest { distance, foot: None, height: 0.0 })
+        };
         Ok(shape.at(points)?.into_iter().map(within).collect())
     }
 
@@ -74,7 +78,8 @@ impl<'a, const D: usize> NearSurface<'a, D> {
             if squared.sqrt() < radius {
                 let distance = signed(side, x, (squared, from, facet));
                 let foot = (!is_rigid).then(|| (side.facets[facet as usize], weights));
-                return Some(Nearest { distance, foot });
+                let height = if is_rigid { 0.0 } else { self.pair.height(self.of_b, facet, &weights) };
+                return Some(Nearest { distance, foot, height });
             }
             // A point inside is as deep as it is; beyond the box there is no more to find.
             if !is_inside || around.contains(&side.aabb) {

@@ -49,7 +49,7 @@ fn of_side<const D: usize>(pair: &Pair<D>, of_b: bool, reach: f64) -> Result<Vec
     let of_facets = |numbers: &[u32]| -> Result<Vec<(BodyFacet<D>, FacetGap<D>)>, Error> {
         let parts = pair.on_threads(numbers, CHUNK, |numbers| {
             let facets = numbers.iter().filter_map(|&number| BodyFacet::new(pair.surface, side, number));
-            facets.map(|facet| facet_gap(pair, &facet, &surface).map(|gap| (facet, gap))).collect()
+            facets.map(|facet| facet_gap(pair, (&facet, of_b), &surface).map(|gap| (facet, gap))).collect()
         });
         let parts: Vec<Vec<_>> = parts.into_iter().collect::<Result<_, _>>()?;
         Ok(parts.into_iter().flatten().collect())

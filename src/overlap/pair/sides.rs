@@ -138,6 +138,16 @@ impl<'a, const D: usize> Pair<'a, D> {
         self.weighting.at(&((self.position(&ends[0]) + self.position(&ends[1])) * 0.5))
     }
 
+    /// How far the curved face for which a facet stands lies outside of it at a place; 0 where it is not measured as curved.
+    pub(crate) fn height(&self, of_b: bool, facet: u32, weights: &[f64; D]) -> f64 {
+        let ([Partner::Body(_), Partner::Body(_)], Counterpart::Facets(_)) = (self.partners, &self.counterpart) else {
+            return 0.0;
+        };
+        let Partner::Body(body) = self.partners[usize::from(of_b)] else { return 0.0 };
+        let curves = self.depth.and_then(|field| field.curves());
+        curves.map_or(0.0, |curves| curves.facet(self.surface.ranges[body].start + facet as usize).at(weights))
+    }
+
     /// Whether the body is measured against itself.
     pub(crate) fn is_own(&self) -> bool {
         matches!(self.counterpart, Counterpart::Itself)

@@ -85,7 +85,7 @@ pub enum Warning {
         slopes: [f64; 2],
     },
     /// With the law `depth`, the facets in contact lie farther beside the round surfaces that they stand for than the sides penetrate.
-    /// Where such surfaces conform, as a pin in its hole, pressures may be wrong by factors: take a finer mesh.
+    /// Where such surfaces conform, as a pin in its hole, pressures may be wrong by factors: smooth the surface, or take a finer mesh.
     CurvedFaces {
         /// First body of the pair.
         a: Partner,
@@ -162,7 +162,8 @@ impl fmt::Display for Warning {
             Warning::CurvedFaces { a, b, sag, penetration } => write!(
                 f,
                 "{a} and {b}: facets in contact lie {sag:.3e} beside the round surfaces that they stand for, and penetrate by {penetration:.3e} \
-                 only; pressures may be wrong by factors where the surfaces conform: take a finer mesh"
+                 only; pressures may be wrong by factors where the surfaces conform: set_surface_smoothing measures \
+                 round faces, or take a finer mesh"
             ),
             Warning::SwallowedBody { inner, outer } => write!(f, "{inner} lies inside {outer} and is not pushed out"),
         }

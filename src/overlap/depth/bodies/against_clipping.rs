@@ -69,7 +69,7 @@ fn with_bodies<const D: usize, T>(
     let blocks: Vec<CellBlock> =
         bodies.iter().zip(&conns).map(|((cell_type, _), conn)| CellBlock { cell_type: *cell_type, conn }).collect();
     let surface = Surface::from_cells(&coords, &blocks, Bodies::Ids(&ids)).expect("a valid mesh");
-    let field = DepthField::new(&surface, None, Weighting::Plain, &|| ()).expect("cells");
+    let field = DepthField::new(&surface, None, Weighting::Plain, None, &|| ()).expect("cells");
     let coords: Vec<[f64; D]> = coords.iter().map(moved).collect();
     let mut configuration = Configuration::new();
     configuration.update(&surface, &coords, false, false).expect("finite coordinates");

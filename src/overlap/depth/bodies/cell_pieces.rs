@@ -25,7 +25,7 @@ pub(crate) struct CellPieces<const D: usize> {
 
 impl<const D: usize> CellPieces<D> {
     /// The pieces of one body of a pair that meet its `region`; `facets` are those of its facets that do. The boxes are those of
-    /// the part of each within the bounds, if there are some.
+    /// the part of each within the bounds, if there are some. Depths are those below where the contact begins.
     pub(crate) fn new(
         pair: &Pair<D>,
         cells: &Cells,
@@ -33,6 +33,7 @@ impl<const D: usize> CellPieces<D> {
         body: usize,
         (facets, region): (&[u32], &Aabb<D>),
         bounds: Option<&Bounds<D>>,
+        clearance: f64,
     ) -> Self {
         let (surface, coords) = (pair.surface, pair.coords);
         let (mut pieces, mut boxes) = (Vec::new(), Vec::new());
@@ -44,7 +45,7 @@ impl<const D: usize> CellPieces<D> {
                     aabb = bounds.box_of_part(corners);
                 }
                 if aabb.meets(region) && !aabb.is_empty() {
-                    pieces.push(piece.lowered(pair.clearance));
+                    pieces.push(piece.lowered(clearance));
                     boxes.push(aabb);
                 }
             });

@@ -16,18 +16,21 @@ use crate::overlap::pair::sides::Pair;
 use crate::overlap::pair::warning::Warning;
 
 /// Bodies of cells.
+#[derive(Clone, Copy)]
 pub(crate) struct DeepBodies<'a, const D: usize> {
     pub(crate) pair: &'a Pair<'a, D>,
     pub(crate) cells: &'a Cells,
     pub(crate) field: &'a DepthField<D>,
     pub(crate) request: &'a DepthRequest,
+    /// How deep below the surfaces the contact begins.
+    pub(crate) clearance: f64,
 }
 
 /// Part of the forces that may be missing where bodies go on behind planes of symmetry.
 const MISTAKEN: f64 = 0.1;
 
 /// Facets, or pieces, that a thread takes at once.
-pub(super) const CHUNK: usize = 64;
+pub(crate) const CHUNK: usize = 64;
 
 /// Part with which the depth of either body counts.
 pub(crate) const WEIGHT: f64 = 0.5;
@@ -42,7 +45,7 @@ impl<'a, const D: usize> DeepBodies<'a, D> {
         let (Some(field), Some(cells)) = (pair.depth, &pair.surface.cells) else {
             return Err(Error::Unsupported { what });
         };
-        Ok(Self { pair, cells, field, request })
+        Ok(Self { pair, cells, field, request, clearance: pair.clearance })
     }
 
     /// From what the facets of either side have inside the other, and the moments of its pieces.
@@ -70,7 +73,7 @@ impl<'a, const D: usize> DeepBodies<'a, D> {
             let (a, b) = (overlap.a, overlap.b);
             overlap.warnings.push(Warning::FlushFaces { a, b, area: sums.flush });
         }
-        overlap.warnings.extend(curved_faces(self.pair, &sums.facets));
+        overlap.warnings.extend(curved_faces(self.pair, &sums.facets, None));
         let (nodes, of_b, gradient) = sums.gradient.into_nodes();
         let imbalance = self.imbalance(&of_b, &gradient);
         if self.field.is_surface_told() && imbalance > MISTAKEN {
@@ -108,6 +111,6 @@ impl<'a, const D: usize> DeepBodies<'a, D> {
     pub(crate) fn pieces(&self, which: usize, region: &Region<D>, bounds: Option<&Bounds<D>>) -> CellPieces<D> {
         let body = if let Partner::Body(body) = self.pair.partners[which] { body } else { 0 };
         let region = (&region.facets[which][..], &region.aabb);
-        CellPieces::new(self.pair, self.cells, self.field, body, region, bounds)
+        CellPieces::new(self.pair, self.cells, self.field, body, region, bounds, self.clearance)
     }
 }

@@ -11,7 +11,7 @@ use crate::geometry::simplex::Simplex;
 const CLOSE: f64 = 1e-5;
 
 /// What [`clip`] finds.
-pub(super) enum Found<'a, const D: usize> {
+pub(crate) enum Found<'a, const D: usize> {
     /// A part that counts by this factor.
     Part(&'a mut FacetPart<D>, f64),
     /// A part that tells how much of the piece lies on either side of the facet: its edges know on which faces they lie, and its corners
@@ -22,7 +22,7 @@ pub(super) enum Found<'a, const D: usize> {
 }
 
 /// Clips a facet by a piece. A facet in a face counts half.
-pub(super) fn clip<const D: usize>(
+pub(crate) fn clip<const D: usize>(
     corners: &[Vector<D>; D],
     barycentric: &[[f64; 4]; D],
     area: &Vector<D>,

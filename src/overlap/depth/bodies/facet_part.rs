@@ -9,7 +9,7 @@ pub(super) const FREE: u8 = u8::MAX;
 
 /// The part of a facet inside a piece; its memory serves one after the other.
 #[derive(Clone, Debug)]
-pub(super) struct FacetPart<const D: usize> {
+pub(crate) struct FacetPart<const D: usize> {
     /// The corners as they are, and as they were before the last cut: which is which changes from cut to cut.
     corners: [Corners<D>; 2],
     now: usize,
@@ -106,12 +106,12 @@ impl<const D: usize> FacetPart<D> {
     }
 
     /// Corners, in the facet's barycentric coordinates.
-    pub(super) fn on_facet(&self) -> &[[f64; D]] {
+    pub(crate) fn on_facet(&self) -> &[[f64; D]] {
         &self.corners[self.now].on[..self.count()]
     }
 
     /// The same in those of the piece.
-    pub(super) fn in_piece(&self) -> &[[f64; 4]] {
+    pub(crate) fn in_piece(&self) -> &[[f64; 4]] {
         &self.corners[self.now].at[..self.count()]
     }
 
@@ -121,12 +121,12 @@ impl<const D: usize> FacetPart<D> {
     }
 
     /// Number of the corner after this one, of a polygon.
-    pub(super) fn after(&self, corner: usize) -> usize {
+    pub(crate) fn after(&self, corner: usize) -> usize {
         if corner + 1 == self.count() { 0 } else { corner + 1 }
     }
 
     /// The face of the piece on which the edge after a corner lies (2D: the corner), or [`FREE`].
-    pub(super) fn face(&self, corner: usize) -> u8 {
+    pub(crate) fn face(&self, corner: usize) -> u8 {
         self.corners[self.now].faces[corner]
     }
 

@@ -41,11 +41,7 @@ impl<const D: usize> PointSums<D> {
         barycentric: &[[f64; 4]; D],
         corners: &[[f64; D]],
     ) {
-        let place = self.0.iter().position(|sums| sums.cell == piece.cell).unwrap_or_else(|| {
-            self.0.push(InCell::new(piece.cell));
-            self.0.len() - 1
-        });
-        let sums = &mut self.0[place];
+        let sums = self.of_cell(piece.cell);
         let area: f64 = areas.iter().sum();
         sums.look_at(piece, area, barycentric, corners);
         sums.slope += piece.gradient * area;
@@ -56,6 +52,40 @@ impl<const D: usize> PointSums<D> {
                 *sum += slope * (weight * area);
             }
         }
+    }
+
+    /// Adds a place inside a piece, and its depth: `area` in parts of the facet's measure, and that times the depth; `gradient` is that of
+    /// the depth.
+    pub(crate) fn add_point(
+        &mut self,
+        piece: &DepthPiece<D>,
+        (area, pressed): (f64, f64),
+        (in_piece, on_facet): (&[f64; 4], &[f64; D]),
+        gradient: &Vector<D>,
+    ) {
+        let sums = self.of_cell(piece.cell);
+        sums.deepest = sums.deepest.max(pressed / area);
+        let in_cell = piece.at_nodes(in_piece);
+        if area > sums.largest {
+            let other = Some(PlaceInCell { cell: piece.cell, weights: in_cell });
+            (sums.largest, sums.inside) = (area, DepthPlace { weights: *on_facet, other });
+        }
+        sums.slope += gradient * area;
+        sums.pressed.add_place(pressed, on_facet, &in_cell);
+        sums.middle.add_place(area, on_facet, &in_cell);
+        for (weights, slope) in piece.weights.iter().zip(&piece.slopes).take(D + 1) {
+            for (sum, weight) in sums.gradients.iter_mut().zip(weights) {
+                *sum += slope * (weight * area);
+            }
+        }
+    }
+
+    fn of_cell(&mut self, cell: u32) -> &mut InCell<D> {
+        let place = self.0.iter().position(|sums| sums.cell == cell).unwrap_or_else(|| {
+            self.0.push(InCell::new(cell));
+            self.0.len() - 1
+        });
+        &mut self.0[place]
     }
 
     /// The points where there is pressure, in the order in which their cells came; the force of the facet counts by
@@ -117,6 +147,11 @@ impl<const D: usize> PlaceSums<D> {
         self.on_facet.iter_mut().zip(on_facet).for_each(|(sum, part)| *sum += part);
         let at: [f64; 4] = std::array::from_fn(|k| (0..D).map(|c| on_facet[c] * barycentric[c][k]).sum());
         self.in_cell.iter_mut().zip(piece.at_nodes(&at)).for_each(|(sum, part)| *sum += part);
+    }
+
+    fn add_place(&mut self, weight: f64, on_facet: &[f64; D], in_cell: &[f64; 8]) {
+        self.on_facet.iter_mut().zip(on_facet).for_each(|(sum, part)| *sum += weight * part);
+        self.in_cell.iter_mut().zip(in_cell).for_each(|(sum, part)| *sum += weight * part);
     }
 
     fn total(&self) -> f64 {

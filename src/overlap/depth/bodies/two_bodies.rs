@@ -32,7 +32,7 @@ pub(crate) fn of_bodies<const D: usize>(
 
 impl<const D: usize> DeepBodies<'_, D> {
     /// Of two bodies.
-    fn two(&self, b: &FacetSide<D>, region: &Region<D>) -> Option<DepthIntegral<D>> {
+    pub(crate) fn two(&self, b: &FacetSide<D>, region: &Region<D>) -> Option<DepthIntegral<D>> {
         let pair = self.pair;
         let bounds = pair.bounds(region);
         let (of_a, of_b) = pair.both(|| self.pieces(0, region, Some(bounds)), || self.pieces(1, region, Some(bounds)));
@@ -111,7 +111,7 @@ impl<const D: usize> DeepBodies<'_, D> {
         let body = if let Partner::Body(body) = self.pair.partners[0] { body } else { 0 };
         let own_cell = own.then(|| &surface.facet_cell[surface.ranges[body].clone()]);
         let weighting = self.pair.weighting;
-        let (weight, clearance) = (WEIGHT, self.pair.clearance);
+        let (weight, clearance) = (WEIGHT, self.clearance);
         let of_side = FacetsInCells {
             surface,
             cells,

@@ -86,7 +86,7 @@ fn warnings<const D: usize>(
     if sums.piece_count == 0 && volume > SWALLOWED * within.extent().product() {
         warnings.push(Warning::SwallowedBody { inner: obstacle, outer: body });
     }
-    warnings.extend(curved_faces(pair, &sums.facets));
+    warnings.extend(curved_faces(pair, &sums.facets, None));
     if let Counterpart::Implicit(side) = &pair.counterpart
         && let ImplicitShape::Function(function) = side.shape
         && let Some(slopes) = slopes_at_surface(function.as_ref(), side, &pair.a.aabb)?

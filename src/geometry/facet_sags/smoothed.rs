@@ -1,0 +1,136 @@
+//! The smooth surface for which straight facets stand, from the normals of the facets around each vertex.
+//!
+//! An edge of length h between normals that differ by the angle h/R stands for an arc that rises h²/8R above it: a quarter of h times the
+//! slope of the normal at an end. Of the two ends the smaller counts, so that a flat face beside a round one stays flat; where the
+//! surface ends, at an edge of the body, the other one does.
+
+use super::FacetSag;
+use crate::geometry::facet::area_vector;
+use crate::geometry::{Surface, Vector};
+
+/// What is around the vertices of a surface.
+pub(super) struct Smoothed<'a, const D: usize> {
+    surface: &'a Surface<D>,
+    points: &'a [Vector<D>],
+    normals: Vec<Vector<D>>,
+    is_surface: Vec<bool>,
+    /// Facets around every vertex.
+    around: Vec<Vec<u32>>,
+    /// Cosine of the feature angle.
+    smooth: f64,
+}
+
+/// A height that is smaller than this part of its edge is rounding.
+const ROUNDING: f64 = 1e-9;
+
+impl<'a, const D: usize> Smoothed<'a, D> {
+    pub(super) fn new(
+        surface: &'a Surface<D>,
+        points: &'a [Vector<D>],
+        is_surface: &impl Fn(usize) -> bool,
+        feature_angle: f64,
+    ) -> Self {
+        let normal = |facet: &[u32; D]| {
+            let area = area_vector(&facet.map(|vertex| points[vertex as usize]));
+            area.try_normalize(0.0).unwrap_or_else(Vector::zeros)
+        };
+        let mut around = vec![Vec::new(); points.len()];
+        for (number, facet) in surface.facets.iter().enumerate() {
+            facet.iter().for_each(|&vertex| around[vertex as usize].push(number as u32));
+        }
+        Self {
+            surface,
+            points,
+            normals: surface.facets.iter().map(normal).collect(),
+            is_surface: (0..surface.facets.len()).map(is_surface).collect(),
+            around,
+            smooth: feature_angle.cos(),
+        }
+    }
+
+    /// Adds the heights of facets of straight cells.
+    pub(super) fn add_to(&self, sags: &mut [FacetSag<D>]) {
+        let node_count = self.surface.nodes.len();
+        let is_straight = |facet: usize| {
+            let cell = self.surface.facet_cell[facet] as usize;
+            self.surface.division().and_then(|division| division.cell_type(cell)).is_none_or(|t| t.straight() == t)
+        };
+        let mut of_middle = vec![(0.0, 0.0); self.surface.centroids.len()];
+        for (number, facet) in self.surface.facets.iter().enumerate() {
+            if !self.is_surface[number] || !is_straight(number) {
+                continue;
+            }
+            // Of a face that is split about its middle the edges between its own nodes are edges of the surface.
+            let middle = (facet[D - 1] as usize).checked_sub(node_count);
+            let count = if D == 2 || middle.is_some() { 1 } else { D };
+            for k in 0..count {
+                let rise = self.rise(number, facet[k], facet[(k + 1) % D]);
+                sags[number].at_edges[k] = rise;
+                if let Some(middle) = middle {
+                    let (sum, count) = of_middle[middle];
+                    of_middle[middle] = (sum + rise, count + 1.0);
+                }
+            }
+        }
+        for (number, facet) in self.surface.facets.iter().enumerate() {
+            let Some(middle) = (facet[D - 1] as usize).checked_sub(node_count) else { continue };
+            if !self.is_surface[number] || !is_straight(number) {
+                continue;
+            }
+            // Each direction of the face rises by the mean of its two edges, from zero at the corners: in the middle by both.
+            let height = 0.5 * of_middle[middle].0;
+            sags[number].at_corners[D - 1] = height;
+            (1..D).for_each(|k| sags[number].at_edges[k] = 0.25 * height);
+        }
+    }
+
+    /// How far the arc over an edge of a facet rises above it.
+    fn rise(&self, facet: usize, i: u32, j: u32) -> f64 {
+        let along = self.points[j as usize] - self.points[i as usize];
+        let of_end = |vertex: u32, sign: f64| {
+            let normal = self.normal_at(vertex, facet)?;
+            Some(sign * 0.25 * along.dot(&normal))
+        };
+        let rise = match (of_end(i, -1.0), of_end(j, 1.0)) {
+            (Some(p), Some(q)) if p * q > 0.0 => p.abs().min(q.abs()).copysign(p),
+            (Some(_), Some(_)) | (None, None) => 0.0,
+            (Some(one), None) | (None, Some(one)) => one,
+        };
+        if rise.abs() > ROUNDING * along.norm() { rise } else { 0.0 }
+    }
+
+    /// The normal of the surface at a vertex, as smooth as a facet sees it; `None` where no other facet goes on there smoothly.
+    fn normal_at(&self, vertex: u32, facet: usize) -> Option<Vector<D>> {
+        let own = &self.normals[facet];
+        let (mut sum, mut ends, mut count) = (Vector::<D>::zeros(), Vector::<D>::zeros(), 0);
+        for &other in &self.around[vertex as usize] {
+            let other = other as usize;
+            if !self.is_surface[other] {
+                ends += self.normals[other];
+            } else if self.normals[other].dot(own) > self.smooth {
+                sum += self.normals[other] * self.weight(other, vertex);
+                count += 1;
+            }
+        }
+        // A body that goes on behind a plane of symmetry has the mirrored facet there.
+        if let Some(end) = ends.try_normalize(0.0) {
+            sum -= end * sum.dot(&end);
+        } else if count < 2 {
+            return None;
+        }
+        sum.try_normalize(0.0)
+    }
+
+    /// With what part a facet counts at a vertex: by its angle there, in the plane by one over its length, so that three points on an arc
+    /// have its normal.
+    fn weight(&self, facet: usize, vertex: u32) -> f64 {
+        let corners = self.surface.facets[facet];
+        let at = |k: usize| self.points[corners[k % D] as usize];
+        let Some(k) = corners.iter().position(|v| *v == vertex) else { return 0.0 };
+        if D == 2 {
+            return 1.0 / (at(1) - at(0)).norm();
+        }
+        let (e, f) = (at(k + 1) - at(k), at(k + 2) - at(k));
+        (e.dot(&f) / (e.norm() * f.norm())).clamp(-1.0, 1.0).acos()
+    }
+}

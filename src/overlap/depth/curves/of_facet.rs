@@ -1,0 +1,55 @@
+//! A facet of one body, and a piece of the other below it.
+
+use super::point_blocks::PointBlocks;
+use crate::depth_field::DepthPiece;
+use crate::geometry::Vector;
+use crate::geometry::facet::area_vector;
+use crate::geometry::facet_sags::FacetSag;
+use crate::overlap::depth::bodies::PointSums;
+use crate::overlap::pair::body_facet::BodyFacet;
+
+/// A facet, and what is summed up over it.
+pub(super) struct OfFacet<'a, const D: usize> {
+    pub(super) facet: BodyFacet<D>,
+    pub(super) sag: &'a FacetSag<D>,
+    /// Its corners and its measure without deformation.
+    pub(super) before: ([Vector<D>; D], f64),
+    pub(super) area: [f64; D],
+    pub(super) depth: [f64; D],
+    pub(super) points: PointSums<D>,
+    pub(super) blocks: PointBlocks<D>,
+    /// Forces at its corners.
+    pub(super) forces: [Vector<D>; D],
+    pub(super) is_met: bool,
+}
+
+/// A piece of the other body, as a facet sees it.
+pub(super) struct Below<'a, const D: usize> {
+    pub(super) piece: &'a DepthPiece<D>,
+    pub(super) number: usize,
+    /// Barycentric coordinates of the facet's corners.
+    pub(super) barycentric: [[f64; 4]; D],
+}
+
+impl<'a, const D: usize> OfFacet<'a, D> {
+    pub(super) fn new(facet: BodyFacet<D>, sag: &'a FacetSag<D>, before: [Vector<D>; D]) -> Self {
+        Self {
+            facet,
+            sag,
+            before: (before, area_vector(&before).norm()),
+            area: [0.0; D],
+            depth: [0.0; D],
+            points: PointSums::default(),
+            blocks: PointBlocks::default(),
+            forces: [Vector::zeros(); D],
+            is_met: false,
+        }
+    }
+}
+
+impl<const D: usize> Below<'_, D> {
+    /// Barycentric coordinates in the piece of a place of the facet.
+    pub(super) fn at(&self, w: &[f64; D]) -> [f64; 4] {
+        std::array::from_fn(|k| (0..D).map(|c| w[c] * self.barycentric[c][k]).sum())
+    }
+}
