@@ -661,6 +661,17 @@ fmc_status fmc_context_set_symmetry_nodes(fmc_context *context,
                                           const void *nodes,
                                           size_t count);
 
+// Has straight faces that stand for round surfaces measured as these: where faces of first order meet at less than `feature_angle`
+// degrees, the surface between them is the smooth one whose normals at the nodes are those of the faces around each. For the law
+// "depth" between two bodies; 0 takes faces for flat, the default. Curved faces of second order are measured as curved in any case. At
+// a larger angle faces meet at an edge of the body: 30 is right for a pin of 16 facets and more.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NOT_POSITIVE` for an angle that is negative, no number, or 90 and more,
+// `FMC_ERROR_UNSUPPORTED` for a surface without cells and for a mesh in parts; what was set before then stays. Threads: one call at a
+// time on a context.
+fmc_status fmc_context_set_surface_smoothing(fmc_context *context,
+                                             double feature_angle);
+
 // Sets all fields to zero and NULL.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`. Threads: any, on different structs.
@@ -980,7 +991,8 @@ typedef enum {
   // Penetrations, and with them pressures, are too small by that factor.
   FMC_WARNING_GENTLE_DISTANCE = 8,
   // With the law "depth", the facets in contact lie farther beside the round surfaces that they stand for than the sides penetrate;
-  // the text gives both sizes. Where such surfaces conform, as a pin in its hole, pressures may be wrong by factors: take a finer mesh.
+  // the text gives both sizes. Where such surfaces conform, as a pin in its hole, pressures may be wrong by factors:
+  // `fmc_context_set_surface_smoothing` measures round faces, or take a finer mesh.
   FMC_WARNING_CURVED_FACES = 9,
 } fmc_warning;
 

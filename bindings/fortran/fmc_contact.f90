@@ -25,7 +25,8 @@ module fmc_contact
   ! Procedures of the type: their names remain the host's.
   private :: from_cells, from_blocks, from_facets, take, free, set_options, set_pair_options, set_reference, &
              set_interrupt, &
-             set_symmetry_planes, set_symmetry_nodes, set_basis, evaluate, tangent, evaluate_tangent, stable_step, body, &
+             set_symmetry_planes, set_symmetry_nodes, set_surface_smoothing, set_basis, &
+             evaluate, tangent, evaluate_tangent, stable_step, body, &
              obstacle, pair, warning, add_obstacle, add_half_space, add_polytope, &
              add_convex_hull, add_signed_distance, set_pose, remove_obstacle, &
              keep_patches, begin_step, commit_step, freeze_friction, slip, set_slip, nodal_contact, &
@@ -39,6 +40,7 @@ module fmc_contact
   contains
     procedure :: from_cells, from_blocks, from_facets, free
     procedure :: set_options, set_pair_options, set_reference, set_symmetry_planes, set_symmetry_nodes, set_basis
+    procedure :: set_surface_smoothing
     procedure :: set_interrupt
     procedure :: evaluate, tangent, evaluate_tangent, stable_step
     procedure :: body, obstacle, pair, warning
@@ -211,6 +213,15 @@ contains
     integer, intent(in) :: nodes(:)
     integer, intent(out), optional :: stat
     call checked(fmc_context_set_symmetry_nodes(self%handle, int(nodes, c_int32_t), size(nodes, kind=c_size_t)), stat)
+  end subroutine
+
+  ! Straight faces that meet at less than this angle, in degrees, stand for a smooth surface; 0: none
+  ! (fmc_context_set_surface_smoothing).
+  subroutine set_surface_smoothing(self, feature_angle, stat)
+    class(contact), intent(inout) :: self
+    real(c_double), intent(in) :: feature_angle
+    integer, intent(out), optional :: stat
+    call checked(fmc_context_set_surface_smoothing(self%handle, feature_angle), stat)
   end subroutine
 
   ! Nodes as combinations of the host's own unknowns, in compressed rows that count from 1 (fmc_context_set_basis).

@@ -770,6 +770,12 @@ module fmc_contact_c
       integer(c_size_t), value :: count
       integer(c_int32_t) :: fmc_context_set_symmetry_nodes
     end function
+    function fmc_context_set_surface_smoothing(context, feature_angle) bind(c)
+      import
+      type(c_ptr), value :: context
+      real(c_double), value :: feature_angle
+      integer(c_int32_t) :: fmc_context_set_surface_smoothing
+    end function
     function fmc_csr_init(matrix) bind(c)
       import
       type(fmc_csr), intent(inout), optional :: matrix

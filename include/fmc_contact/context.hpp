@@ -327,6 +327,9 @@ class Context : public AddsShapes<Context> {
     call(fmc_context_set_symmetry_nodes(get(), numbers.data(), nodes.size()));
   }
 
+  // Straight faces that meet at less than this angle, in degrees, stand for a smooth surface; 0: none.
+  void set_surface_smoothing(double feature_angle) { call(fmc_context_set_surface_smoothing(get(), feature_angle)); }
+
   // Unknowns of the host by which the nodes of the mesh move: one row for every node, one column for every unknown.
   template <class Int>
   void set_basis(const CsrView<Int> &weights, std::size_t unknown_count) {

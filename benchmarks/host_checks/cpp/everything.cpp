@@ -144,6 +144,8 @@ void forces_and_getters() {
   contact.set_symmetry_nodes({});
   EXPECT(contact.evaluate(coords).energy == energy);
   contact.set_symmetry_planes(std::vector<double>{-7, 0}, std::vector<double>{2, 0});
+  contact.set_surface_smoothing(30);
+  contact.set_surface_smoothing(0);
   EXPECT(contact.evaluate(coords).energy == energy);
   EXPECT(refused(FMC_ERROR_NOT_POSITIVE, "", [&] {
     contact.set_symmetry_planes(std::vector<double>{0, 0}, std::vector<double>{0, 0});

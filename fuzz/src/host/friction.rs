@@ -49,5 +49,8 @@ impl Host {
         let points = unless(hole, 1, points.as_ptr().cast_mut()).cast_const();
         // SAFETY: three numbers for each plane and more.
         checked(unsafe { fmc_context_set_symmetry_planes(self.context, points, normals.as_ptr(), count) });
+        let angle = nodes.first().map_or(f64::NAN, |&node| 10.0 * node as f64);
+        // SAFETY: a context.
+        checked(unsafe { fmc_context_set_surface_smoothing(self.context, angle) });
     }
 }

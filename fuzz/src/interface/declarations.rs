@@ -705,6 +705,7 @@ unsafe extern "C" {
     pub fn fmc_context_set_reference(context: *mut fmc_context, coords: *const fmc_coords) -> fmc_status;
     pub fn fmc_context_set_symmetry_planes(context: *mut fmc_context, points: *const f64, normals: *const f64, count: usize) -> fmc_status;
     pub fn fmc_context_set_symmetry_nodes(context: *mut fmc_context, nodes: *const c_void, count: usize) -> fmc_status;
+    pub fn fmc_context_set_surface_smoothing(context: *mut fmc_context, feature_angle: f64) -> fmc_status;
     pub fn fmc_csr_init(matrix: *mut fmc_csr) -> fmc_status;
     pub fn fmc_context_set_basis(context: *mut fmc_context, weights: *const fmc_csr, unknown_count: usize) -> fmc_status;
     pub fn fmc_pose_init(pose: *mut fmc_pose) -> fmc_status;

@@ -164,7 +164,8 @@ pub enum fmc_warning {
     /// Penetrations, and with them pressures, are too small by that factor.
     FMC_WARNING_GENTLE_DISTANCE = 8,
     /// With the law "depth", the facets in contact lie farther beside the round surfaces that they stand for than the sides penetrate;
-    /// the text gives both sizes. Where such surfaces conform, as a pin in its hole, pressures may be wrong by factors: take a finer mesh.
+    /// the text gives both sizes. Where such surfaces conform, as a pin in its hole, pressures may be wrong by factors:
+    /// `fmc_context_set_surface_smoothing` measures round faces, or take a finer mesh.
     FMC_WARNING_CURVED_FACES = 9,
 }
 

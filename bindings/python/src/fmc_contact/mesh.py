@@ -258,6 +258,33 @@ class Mesh:
         with self._core.handle:
             self._core.handle.call(library.fmc_context_set_symmetry_planes, points, normals, len(given))
 
+    def set_surface_smoothing(self, feature_angle: float) -> None:
+        """Has straight faces that stand for round surfaces measured as these.
+
+        Where faces of first order meet at less than the angle, the surface between them is the smooth one whose normals at the nodes
+        are those of the faces around each. It is for the law ``"depth"`` between two bodies. Curved faces of second order are
+        measured as curved in any case.
+
+        Parameters
+        ----------
+        feature_angle : float
+            In degrees, at least 0 and below 90. At a larger angle faces meet at an edge of the body: 30 is right for a pin of 16
+            facets and more. 0 takes faces for flat, which is the default.
+
+        Raises
+        ------
+        NotPositiveError
+            If the angle is negative, no number, or 90 and more.
+        UnsupportedError
+            If the surface has no cells, or the mesh is in parts.
+
+        Examples
+        --------
+        >>> contact.mesh.set_surface_smoothing(30.0)
+        """
+        with self._core.handle:
+            self._core.handle.call(library.fmc_context_set_surface_smoothing, feature_angle)
+
     def set_symmetry_nodes(self, nodes: ArrayLike) -> None:
         """Names the nodes that lie in planes of symmetry, in place of what was said before.
 

@@ -51,6 +51,11 @@ impl<const D: usize> Resident<D> {
         }?)
     }
 
+    /// Has straight faces stand for smooth surfaces.
+    pub(crate) fn set_surface_smoothing(&mut self, feature_angle: f64) -> Result<(), Failure> {
+        Ok(self.held.contact_mut().set_surface_smoothing(feature_angle)?)
+    }
+
     /// Names the nodes in planes of symmetry, as the host counts them.
     pub(crate) fn set_symmetry_nodes(&mut self, nodes: &[i64], index_base: i32) -> Result<(), Failure> {
         let node_count = match &self.held {
