@@ -268,8 +268,8 @@ class Mesh:
         Parameters
         ----------
         feature_angle : float
-            In degrees, at least 0 and below 90. At a larger angle faces meet at an edge of the body: 30 is right for a pin of 16
-            facets and more. 0 takes faces for flat, which is the default.
+            In degrees, at least 0 and below 90. At a larger angle faces meet at an edge of the body: 30 is usual. A round body
+            needs some 40 facets around it. 0 takes faces for flat, which is the default.
 
         Raises
         ------

@@ -78,7 +78,7 @@ pub unsafe extern "C" fn fmc_context_set_symmetry_nodes(
 /// Has straight faces that stand for round surfaces measured as these: where faces of first order meet at less than `feature_angle`
 /// degrees, the surface between them is the smooth one whose normals at the nodes are those of the faces around each. For the law
 /// "depth" between two bodies; 0 takes faces for flat, the default. Curved faces of second order are measured as curved in any case. At
-/// a larger angle faces meet at an edge of the body: 30 is right for a pin of 16 facets and more.
+/// a larger angle faces meet at an edge of the body: 30 is usual. A round body needs some 40 facets around it.
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NOT_POSITIVE` for an angle that is negative, no number, or 90 and more,
 /// `FMC_ERROR_UNSUPPORTED` for a surface without cells and for a mesh in parts; what was set before then stays. Threads: one call at a
