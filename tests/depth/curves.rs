@@ -3,7 +3,7 @@
 use crate::depth;
 use crate::derivatives::{force_is_the_slope_of_the_energy, forces_balance, tangent_is_the_slope_of_the_force};
 use crate::scene::Scene;
-use fmc_contact::Contact;
+use fmc_contact::{Contact, Warning};
 use fmc_shapes::{
     Diagonals, Mesh, Splitmix, cuboid_hex8, cuboid_tet4, cuboid_wedge6, rectangle_quad4, rectangle_tri3, second_order,
 };
@@ -252,4 +252,33 @@ fn smoothing_is_refused() {
         assert!(contact.set_surface_smoothing(angle).is_err(), "{angle}");
     }
     contact.set_surface_smoothing(0.0).expect("none");
+}
+
+/// Faces of two rings that lie in the planes of a quarter are told of, as between straight ones, until it is said what they are.
+#[test]
+fn flush_faces_are_told() {
+    let quarter = |from: f64, to: f64, cells, nodes| {
+        let straight = rectangle_quad4([0.0, from], [1.0, to], cells);
+        sector(if nodes == 4 { straight } else { second_order(&straight, nodes) }, TAU / 4.0)
+    };
+    let area = |nodes, smoothing| {
+        let scene = Scene::of(&[&quarter(0.5, 1.0002, [16, 4], nodes), &quarter(1.0, 1.5, [21, 4], nodes)]);
+        let mut contact = scene.contact(depth(1.0));
+        contact.set_surface_smoothing(smoothing).expect("an angle");
+        let told = |contact: &Contact<2>| {
+            let found = contact.evaluate(&scene.coords).expect("valid coordinates");
+            found
+                .warnings
+                .iter()
+                .find_map(|w| if let Warning::FlushFaces { area, .. } = w { Some(*area) } else { None })
+        };
+        let before = told(&contact);
+        contact.set_symmetry_planes(&[[[0.0; 2], [1.0, 0.0]], [[0.0; 2], [0.0, 1.0]]]).expect("planes");
+        assert_eq!(told(&contact), None);
+        before.expect("a warning")
+    };
+    let straight = area(4, 0.0);
+    for (nodes, smoothing) in [(4, 30.0), (9, 0.0)] {
+        assert!((area(nodes, smoothing) / straight - 1.0).abs() < 1e-6, "{nodes}: {straight}");
+    }
 }

@@ -23,6 +23,7 @@ mod two_bodies;
 pub(super) use cell_pieces::CellPieces;
 pub(super) use deep_bodies::{CHUNK, DeepBodies};
 pub(super) use facet_clip::{Found, clip};
+pub(super) use facet_integrals::FLAT;
 pub(super) use facet_part::FacetPart;
 pub(super) use point_sums::PointSums;
 pub(super) use two_bodies::of_bodies;

@@ -69,10 +69,7 @@ impl<'a, const D: usize> DeepBodies<'a, D> {
             volume += 0.5 * found.volume;
         }
         let mut overlap = sums.overlap(self.pair, volume, 0.5 * area)?;
-        if sums.flush > 0.0 && !self.field.is_surface_told() {
-            let (a, b) = (overlap.a, overlap.b);
-            overlap.warnings.push(Warning::FlushFaces { a, b, area: sums.flush });
-        }
+        overlap.warnings.extend(self.flush_faces(sums.flush));
         overlap.warnings.extend(curved_faces(self.pair, &sums.facets, None));
         let (nodes, of_b, gradient) = sums.gradient.into_nodes();
         let imbalance = self.imbalance(&of_b, &gradient);
@@ -92,6 +89,12 @@ impl<'a, const D: usize> DeepBodies<'a, D> {
             mean_depth: if sides > 0.0 { depth / sides } else { 0.0 },
             overlap,
         })
+    }
+
+    /// The warning of faces of so large an area that lie in one plane and look the same way, where it was not said which are surface.
+    pub(crate) fn flush_faces(&self, area: f64) -> Option<Warning> {
+        let [a, b] = self.pair.partners;
+        (area > 0.0 && !self.field.is_surface_told()).then_some(Warning::FlushFaces { a, b, area })
     }
 
     /// The sum of all forces by the larger resultant of a side. Behind a plane of symmetry the overlap goes on, and presses on the plane by

@@ -23,7 +23,7 @@ use crate::ranks::Packed;
 const SAME_WAY: f64 = 1.0 - 1e-9;
 
 /// A facet that is no deeper than this part of its size lies in the other's face.
-const FLAT: f64 = 1e-9;
+pub(crate) const FLAT: f64 = 1e-9;
 
 /// A facet that comes nearer to the last corner of a piece than this part of its size may have it on either side by rounding. That is
 /// several thousand times as much as rounding is, and rare.
@@ -137,7 +137,7 @@ impl<const D: usize> FacetsInCells<'_, D> {
         let barycentric = facet.corners.each_ref().map(|x| piece.barycentric(x));
         let Scratch { work, part, blocks, .. } = scratch;
         let FacetsFound { sums, shares, doubtful } = found;
-        let is_same_way = piece.is_at_surface && facet.normal.dot(&piece.gradient) < -SAME_WAY * piece.gradient.norm();
+        let is_same_way = facet.looks_the_same_way(piece);
         let depth = |at: &[f64; 4]| -> f64 { (0..=D).map(|k| at[k] * piece.depths[k]).sum() };
         let at_corners: [f64; D] = std::array::from_fn(|c| depth(&barycentric[c]));
         clip(&facet.corners, &barycentric, &facet.area, piece, (part, work), |part| {
@@ -245,7 +245,12 @@ struct Scratch<const D: usize> {
 }
 
 impl<const D: usize> BodyFacet<D> {
-    fn size(&self) -> f64 {
+    /// Whether a piece has a face on its body's surface that looks the same way.
+    pub(crate) fn looks_the_same_way(&self, piece: &DepthPiece<D>) -> bool {
+        piece.is_at_surface && self.normal.dot(&piece.gradient) < -SAME_WAY * piece.gradient.norm()
+    }
+
+    pub(crate) fn size(&self) -> f64 {
         self.measure.powf(1.0 / (D - 1) as f64)
     }
 

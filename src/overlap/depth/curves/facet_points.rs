@@ -8,11 +8,11 @@ use crate::configuration::FacetSide;
 use crate::depth_field::Curves;
 use crate::geometry::aabb::Aabb;
 use crate::geometry::cells::Cells;
-use crate::geometry::convex_piece::Piece;
+use crate::geometry::convex_piece::{Piece, place};
 use crate::geometry::facet_sags::FacetSag;
 use crate::geometry::quadrature::for_each_simplex;
-use crate::geometry::{Surface, Weighting};
-use crate::overlap::depth::bodies::{FacetPart, Found, clip};
+use crate::geometry::{Surface, Vector, Weighting};
+use crate::overlap::depth::bodies::{FLAT, FacetPart, Found, clip};
 use crate::overlap::depth::facet_sums::FacetSums;
 use crate::overlap::depth::integral::DepthRequest;
 use crate::overlap::depth::simplex_parts::{Corners, below, between};
@@ -33,6 +33,8 @@ pub(super) struct FacetPoints<'a, const D: usize> {
     pub(super) shell: &'a Shell<D>,
     pub(super) tent: Tent,
     pub(super) weighting: Weighting,
+    /// How deep below the surfaces the contact begins.
+    pub(super) clearance: f64,
     pub(super) request: &'a DepthRequest,
     pub(super) rules: Rules,
 }
@@ -107,6 +109,17 @@ impl<const D: usize> FacetPoints<'_, D> {
             (0..=D).map(|k| at[k] * below_it.piece.depths[k]).sum()
         };
         found.deepest = part.iter().map(straight).fold(found.deepest, f64::max);
+        let facet = &of_facet.facet;
+        let flat = FLAT * facet.size();
+        if facet.looks_the_same_way(below_it.piece) && part.iter().all(|w| (straight(w) + self.clearance).abs() <= flat)
+        {
+            let measure = |share: f64, corners: [&[f64; D]; D]| {
+                let middle = corners.iter().map(|w| place(&facet.corners, w)).sum::<Vector<D>>() / D as f64;
+                // The same area has facets on both sides.
+                0.5 * counts * share * facet.measure * self.weighting.at(&middle)
+            };
+            for_each_simplex(part, |corners, share| found.sums.flush += measure(share, corners));
+        }
         let levels = self.tent.levels();
         for_each_simplex(part, |corners, share| {
             let mut whole: Corners = [[0.0; 4]; 4];

@@ -77,8 +77,10 @@ impl<const D: usize> Joined<'_, D> {
                     volume += deep.overlap.volume;
                     sums.deepest = sums.deepest.max(deep.overlap.penetration);
                     sums.piece_count += deep.overlap.crossing_count;
-                    let is_curved = |warning: &Warning| matches!(warning, Warning::CurvedFaces { .. });
-                    warnings.extend(deep.overlap.warnings.into_iter().filter(|warning| !is_curved(warning)));
+                    // Those of faces are found on the surfaces.
+                    let is_of_faces =
+                        |w: &Warning| matches!(w, Warning::CurvedFaces { .. } | Warning::FlushFaces { .. });
+                    warnings.extend(deep.overlap.warnings.into_iter().filter(|warning| !is_of_faces(warning)));
                 }
                 value += part * deep.value;
                 for ((&node, &of_b), gradient) in deep.nodes.iter().zip(&deep.of_b).zip(&deep.gradient) {
@@ -91,6 +93,7 @@ impl<const D: usize> Joined<'_, D> {
         }
         let Some(mut overlap) = sums.overlap(pair, volume, 0.5 * area) else { return Ok(None) };
         overlap.warnings = warnings;
+        overlap.warnings.extend(self.bodies.flush_faces(sums.flush));
         overlap.warnings.extend(curved_faces(pair, &sums.facets, Some(self.curves)));
         let (nodes, of_b, gradient) = sums.gradient.into_nodes();
         blocks.insert(0, sums.hessian.into_blocks());
@@ -142,6 +145,7 @@ impl<const D: usize> Joined<'_, D> {
                 shell,
                 tent: self.tent,
                 weighting: pair.weighting,
+                clearance: self.bodies.clearance,
                 request: self.bodies.request,
                 rules: Rules::new::<D>(),
             };
