@@ -93,17 +93,18 @@ impl<const D: usize> Surface<D> {
     ) -> (Vec<FacetSag<D>>, Vec<Vector<D>>) {
         let points = self.points(self.reference());
         let mut sags = vec![FacetSag::FLAT; self.facets.len()];
-        let mut normals = vec![Vector::<D>::zeros(); self.facets.len()];
         if self.curved().is_empty() && feature_angle.is_none() {
-            return (sags, normals);
+            // A part of a mesh may have none of the curved cells of the whole.
+            return (sags, vec![Vector::zeros(); self.facets.len()]);
         }
-        for (number, facet) in self.facets.iter().enumerate().filter(|(number, _)| is_surface(*number)) {
+        let normal = |facet: &[u32; D]| {
             let area = area_vector(&facet.map(|vertex| points[vertex as usize]));
-            normals[number] = area.try_normalize(0.0).unwrap_or_else(Vector::zeros);
-        }
+            area.try_normalize(0.0).unwrap_or_else(Vector::zeros)
+        };
+        let normals: Vec<Vector<D>> = self.facets.iter().map(normal).collect();
         self.add_second_order(&points, &normals, &is_surface, &mut sags);
         if let Some(angle) = feature_angle {
-            Smoothed::new(self, &points, &is_surface, angle).add_to(&mut sags);
+            Smoothed::new(self, (&points, &normals), &is_surface, angle).add_to(&mut sags);
         }
         (sags, normals)
     }

@@ -5,14 +5,13 @@
 //! surface ends, at an edge of the body, the other one does.
 
 use super::FacetSag;
-use crate::geometry::facet::area_vector;
 use crate::geometry::{Surface, Vector};
 
 /// What is around the vertices of a surface.
 pub(super) struct Smoothed<'a, const D: usize> {
     surface: &'a Surface<D>,
     points: &'a [Vector<D>],
-    normals: Vec<Vector<D>>,
+    normals: &'a [Vector<D>],
     is_surface: Vec<bool>,
     /// Facets around every vertex.
     around: Vec<Vec<u32>>,
@@ -26,14 +25,10 @@ const ROUNDING: f64 = 1e-9;
 impl<'a, const D: usize> Smoothed<'a, D> {
     pub(super) fn new(
         surface: &'a Surface<D>,
-        points: &'a [Vector<D>],
+        (points, normals): (&'a [Vector<D>], &'a [Vector<D>]),
         is_surface: &impl Fn(usize) -> bool,
         feature_angle: f64,
     ) -> Self {
-        let normal = |facet: &[u32; D]| {
-            let area = area_vector(&facet.map(|vertex| points[vertex as usize]));
-            area.try_normalize(0.0).unwrap_or_else(Vector::zeros)
-        };
         let mut around = vec![Vec::new(); points.len()];
         for (number, facet) in surface.facets.iter().enumerate() {
             facet.iter().for_each(|&vertex| around[vertex as usize].push(number as u32));
@@ -41,7 +36,7 @@ impl<'a, const D: usize> Smoothed<'a, D> {
         Self {
             surface,
             points,
-            normals: surface.facets.iter().map(normal).collect(),
+            normals,
             is_surface: (0..surface.facets.len()).map(is_surface).collect(),
             around,
             smooth: feature_angle.cos(),
@@ -55,7 +50,7 @@ impl<'a, const D: usize> Smoothed<'a, D> {
             let cell = self.surface.facet_cell[facet] as usize;
             self.surface.division().and_then(|division| division.cell_type(cell)).is_none_or(|t| t.straight() == t)
         };
-        let mut of_middle = vec![(0.0, 0.0); self.surface.centroids.len()];
+        let mut of_middle = vec![0.0; self.surface.centroids.len()];
         for (number, facet) in self.surface.facets.iter().enumerate() {
             if !self.is_surface[number] || !is_straight(number) {
                 continue;
@@ -67,8 +62,7 @@ impl<'a, const D: usize> Smoothed<'a, D> {
                 let rise = self.rise(number, facet[k], facet[(k + 1) % D]);
                 sags[number].at_edges[k] = rise;
                 if let Some(middle) = middle {
-                    let (sum, count) = of_middle[middle];
-                    of_middle[middle] = (sum + rise, count + 1.0);
+                    of_middle[middle] += rise;
                 }
             }
         }
@@ -78,7 +72,7 @@ impl<'a, const D: usize> Smoothed<'a, D> {
                 continue;
             }
             // Each direction of the face rises by the mean of its two edges, from zero at the corners: in the middle by both.
-            let height = 0.5 * of_middle[middle].0;
+            let height = 0.5 * of_middle[middle];
             sags[number].at_corners[D - 1] = height;
             (1..D).for_each(|k| sags[number].at_edges[k] = 0.25 * height);
         }

@@ -112,9 +112,7 @@ impl CurvedCells {
 
     /// Where the map of a cell has a place.
     pub(super) fn position<const D: usize>(&self, cell: usize, place: [f64; 3], coords: &[[f64; D]]) -> Vector<D> {
-        let of_points = self.shape.values(place) * &self.of_nodes;
-        let points = self.points(cell).iter().zip(of_points.iter());
-        points.fold(Vector::zeros(), |x, (&point, &weight)| x + Vector::from(coords[point as usize]) * weight)
+        self.combined(cell, self.shape.values(place), coords)
     }
 
     /// How fast the position changes along a direction of the coordinates.
@@ -124,7 +122,12 @@ impl CurvedCells {
         direction: [f64; 3],
         coords: &[[f64; D]],
     ) -> Vector<D> {
-        let of_points = DMatrix::from_row_slice(1, 3, &direction) * self.shape.gradients(place) * &self.of_nodes;
+        self.combined(cell, DMatrix::from_row_slice(1, 3, &direction) * self.shape.gradients(place), coords)
+    }
+
+    /// A combination of the nodes of a cell, (1, nodes).
+    fn combined<const D: usize>(&self, cell: usize, of_nodes: DMatrix<f64>, coords: &[[f64; D]]) -> Vector<D> {
+        let of_points = of_nodes * &self.of_nodes;
         let points = self.points(cell).iter().zip(of_points.iter());
         points.fold(Vector::zeros(), |x, (&point, &weight)| x + Vector::from(coords[point as usize]) * weight)
     }

@@ -7,6 +7,7 @@ use super::point_blocks::PointSlopes;
 use super::rules::border_points;
 use crate::depth_field::DepthPiece;
 use crate::geometry::Vector;
+use crate::geometry::convex_piece::place;
 use crate::geometry::facet_slopes::cross;
 use crate::overlap::depth::bodies::FacetPart;
 
@@ -20,9 +21,7 @@ impl<const D: usize> FacetPoints<'_, D> {
         (inside, part): (&FacetPart<D>, f64),
     ) {
         let on_facet = inside.on_facet();
-        let place = |w: &[f64; D]| -> Vector<D> {
-            of_facet.facet.corners.iter().zip(w).fold(Vector::zeros(), |x, (corner, w)| x + corner * *w)
-        };
+        let place = |w: &[f64; D]| place(&of_facet.facet.corners, w);
         let mut borders = Vec::new();
         for corner in 0..on_facet.len() {
             let face = inside.face(corner) as usize;
@@ -73,10 +72,9 @@ impl<const D: usize> FacetPoints<'_, D> {
         }
         let piece = below_it.piece;
         let (corners, measure) = &of_facet.before;
-        let x = corners.iter().zip(w).fold(Vector::zeros(), |x, (corner, w)| x + corner * *w);
         // By the measure now, along which the border moves.
-        let before = measure * self.weighting.at(&x) / of_facet.facet.measure;
-        let gradient = (0..=D).fold(Vector::zeros(), |sum, k| sum + piece.slopes[k] * by_coordinate[k]);
+        let before = measure * self.weighting.at(&place(corners, w)) / of_facet.facet.measure;
+        let gradient = below_it.gradient(&by_coordinate);
         let heights = &self.shell.heights[below_it.number];
         let point = PointSlopes { piece, heights, on_facet: w, in_piece: &at, gradient: &gradient };
         let border = by * (HALF * before * pressure * part);

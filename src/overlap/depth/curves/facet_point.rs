@@ -4,6 +4,7 @@ use super::facet_points::{FacetPoints, PointsFound};
 use super::of_facet::{Below, OfFacet};
 use super::point_blocks::PointSlopes;
 use crate::geometry::Vector;
+use crate::geometry::convex_piece::place;
 use crate::geometry::facet_sags::FacetSag;
 use crate::overlap::depth::facet_sums::FacetSums;
 use crate::overlap::depth::simplex_parts::{Corners, between};
@@ -55,9 +56,7 @@ impl<const D: usize> FacetPoints<'_, D> {
             return;
         }
         let piece = below_it.piece;
-        let weight_at = |corners: &[Vector<D>; D]| {
-            self.weighting.at(&corners.iter().zip(w).fold(Vector::zeros(), |x, (corner, w)| x + corner * *w))
-        };
+        let weight_at = |corners: &[Vector<D>; D]| self.weighting.at(&place(corners, w));
         let (corners, measure) = &of_facet.before;
         let before = part * measure * weight_at(corners);
         let now = part * weight_at(&of_facet.facet.corners);
@@ -76,7 +75,7 @@ impl<const D: usize> FacetPoints<'_, D> {
         }
         sums.area += now * of_facet.facet.measure;
         sums.depth += pressed * of_facet.facet.measure;
-        let gradient = (0..=D).fold(Vector::zeros(), |sum, k| sum + piece.slopes[k] * by_coordinate[k]);
+        let gradient = below_it.gradient(&by_coordinate);
         let force = gradient * (HALF * before * pressure);
         if pressure != 0.0 {
             for c in 0..D {

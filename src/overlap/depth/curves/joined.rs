@@ -69,10 +69,15 @@ impl<const D: usize> Joined<'_, D> {
         let count = inside().count() as f64;
         let mut sums = FacetSums::of_parts(facets);
         let (mut value, mut blocks, mut warnings) = (energy, Vec::new(), Vec::new());
+        // Points are those on the surfaces, and so is a part that is semidefinite.
+        let second = if request.second == SecondDerivative::Full { request.second } else { SecondDerivative::No };
+        let of_overlap = DepthRequest { second, points: false, ..*request };
         if is_deep && let (Counterpart::Facets(b), Some(region)) = (&pair.counterpart, pair.region()?) {
             for (beyond, part) in [self.tent.top, self.tent.end()].into_iter().zip(Tent::BEYOND) {
                 let clearance = self.bodies.clearance + beyond;
-                let Some(deep) = (DeepBodies { clearance, ..self.bodies }).two(b, region) else { continue };
+                let Some(deep) = (DeepBodies { clearance, request: &of_overlap, ..self.bodies }).two(b, region) else {
+                    continue;
+                };
                 if beyond == self.tent.top {
                     volume += deep.overlap.volume;
                     sums.deepest = sums.deepest.max(deep.overlap.penetration);
@@ -86,9 +91,7 @@ impl<const D: usize> Joined<'_, D> {
                 for ((&node, &of_b), gradient) in deep.nodes.iter().zip(&deep.of_b).zip(&deep.gradient) {
                     sums.gradient.add(node, of_b, &(gradient * part));
                 }
-                if request.second == SecondDerivative::Full {
-                    blocks.push(times(deep.hessian, part));
-                }
+                blocks.push(times(deep.hessian, part));
             }
         }
         let Some(mut overlap) = sums.overlap(pair, volume, 0.5 * area) else { return Ok(None) };
@@ -164,10 +167,9 @@ impl<const D: usize> Joined<'_, D> {
         if !self.bodies.field.is_connected(body) {
             return true;
         }
-        let deeper = self.tent.top - self.bodies.clearance;
         let corners = shell.pieces.pieces.iter().flat_map(|piece| piece.corners.iter().zip(&piece.depths).take(D + 1));
         let is_core =
-            |(x, depth): &(&Vector<D>, &f64)| **depth > deeper && within.contains(&Aabb { min: **x, max: **x });
+            |(x, depth): &(&Vector<D>, &f64)| **depth > self.tent.top && within.contains(&Aabb { min: **x, max: **x });
         corners.into_iter().find(is_core).is_some_and(|(x, _)| side.winding_number(x) != 0)
     }
 }

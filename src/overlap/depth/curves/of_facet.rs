@@ -52,4 +52,9 @@ impl<const D: usize> Below<'_, D> {
     pub(super) fn at(&self, w: &[f64; D]) -> [f64; 4] {
         std::array::from_fn(|k| (0..D).map(|c| w[c] * self.barycentric[c][k]).sum())
     }
+
+    /// The gradient of a function with these derivatives by the coordinates in the piece.
+    pub(super) fn gradient(&self, by_coordinate: &[f64; 4]) -> Vector<D> {
+        (0..=D).fold(Vector::zeros(), |sum, k| sum + self.piece.slopes[k] * by_coordinate[k])
+    }
 }
