@@ -200,6 +200,8 @@ typedef enum {
   // Memory that the call needs for large arrays cannot be had. Memory that runs out for small ones, or that a system grants and does
   // not have, ends the process.
   FMC_ERROR_MEMORY = 65,
+  // Two bodies are tied, and face one another nowhere within reach.
+  FMC_ERROR_UNTIED = 66,
 } fmc_status;
 
 // Class of a status: what a host does about it.
@@ -874,6 +876,16 @@ fmc_status fmc_context_remove_obstacle(fmc_context *context, size_t obstacle);
 // changes.
 #define FMC_PAIR_FRICTION_OF_CONTEXT -1
 
+// What happens between two bodies.
+typedef enum {
+  // They press and rub where they touch.
+  FMC_INTERFACE_CONTACT = 0,
+  // They go together where their faces face one another without deformation, within `reach` and up to an angle of 60 degrees; they are in
+  // no contact, neither there nor elsewhere. A gap or an overlap within reach is kept. Not with an obstacle, and not of a mesh in
+  // parts. See `fmc_context_tie`. Key value "tied".
+  FMC_INTERFACE_TIED = 1,
+} fmc_interface;
+
 // Options of one pair of partners, in place of the context's. `fmc_pair_options_init` sets all of them to what a pair
 // has without options of its own.
 //
@@ -907,8 +919,15 @@ typedef struct {
   double static_coefficient;
   // Slip over which it falls to that of what slides, a length; positive with `static_coefficient`, else 0, the default.
   double weakening_slip;
+  // What happens between two bodies, a value of `fmc_interface`. Default `FMC_INTERFACE_CONTACT`.
+  int32_t interface_kind;
+  // Zero.
+  int32_t reserved_flags;
+  // How far apart faces that are tied may be, or how far they may overlap, a length, with `FMC_INTERFACE_TIED`; 0, the default: a
+  // tenth of the larger facets.
+  double reach;
   // Zero. Room for options of later versions.
-  uint64_t reserved[8];
+  uint64_t reserved[6];
 } fmc_pair_options;
 
 // Sets the options of a pair to what it has without options of its own: the law of the context, not left out.
@@ -927,7 +946,8 @@ fmc_status fmc_pair_options_init(fmc_pair_options *options);
 // `FMC_ERROR_OBSTACLE_REMOVED`, naming the index; `FMC_ERROR_BAD_VALUE` for an unknown kind or value,
 // `FMC_ERROR_OPTIONS_CONFLICT` for an option that would have no effect; `FMC_ERROR_RESERVED_FIELD`; `FMC_ERROR_STRUCT_SIZE`; `FMC_ERROR_NOT_POSITIVE`;
 // `FMC_ERROR_UNSUPPORTED` for two obstacles, for a law that the estimator of the context does not support, and for a
-// gap offset between bodies that is positive or has another law than "depth"; `FMC_ERROR_BUSY`. What was set before then stays. `fmc_context_set_options` refuses an
+// gap offset between bodies that is positive or has another law than "depth"; `FMC_ERROR_UNTIED` for bodies that are
+// tied and face one another nowhere within reach, `FMC_ERROR_BUSY`. What was set before then stays. `fmc_context_set_options` refuses an
 // estimator that does not support the law of a pair. Threads: one call at a time on a context.
 fmc_status fmc_context_set_pair_options(fmc_context *context,
                                         int32_t a_kind,
@@ -2085,6 +2105,41 @@ typedef struct {
   uint64_t reserved[4];
 } fmc_gap_constraint;
 
+// The tie of two bodies.
+typedef struct {
+  // Size of this struct, as the library wrote it.
+  size_t struct_size;
+  // Area that is tied (2D: length; with axisymmetry the area of whole rings); 0: the bodies are not tied.
+  double area;
+  // The largest gap, or overlap, that is kept between the surfaces, a length.
+  double largest_gap;
+  // Number of means of the jump that are held: of nodes of the side that holds, mostly that with the larger facets.
+  size_t node_count;
+  // Zero.
+  uint64_t reserved[4];
+} fmc_tie;
+
+// A node of a tie, of the side that holds, mostly that with the larger facets.
+typedef struct {
+  // Size of this struct, as the library wrote it.
+  size_t struct_size;
+  // The node, counted from the option `index_base`; with cells of second order the point, see
+  // `fmc_context_point_weights`.
+  int64_t node;
+  // Its body, an index for `fmc_context_body_resultant`.
+  size_t body;
+  // The body that it is tied to.
+  size_t partner;
+  // Area that it stands for.
+  double area;
+  // Traction on its body, force by area; in 2D the last is 0.
+  double traction[3];
+  // Mean of how far its body has moved away from the other one, a length; in 2D the last is 0.
+  double jump[3];
+  // Zero.
+  uint64_t reserved[4];
+} fmc_tie_node;
+
 // A boundary facet: an edge in 2D, a triangle in 3D. A quadrilateral face is four of them, one on each of its edges. A face
 // of a cell of second order is divided first: an edge in two, a triangle or quadrilateral in four parts.
 typedef struct {
@@ -2185,6 +2240,50 @@ fmc_status fmc_context_gap_gradient(const fmc_context *context,
                                     double *values,
                                     size_t capacity,
                                     size_t *count);
+
+// The tie of two bodies, indices for `fmc_context_body_resultant`, as it was found where nothing is deformed. They are tied by
+// `fmc_context_set_pair_options`. Of bodies that are not tied all numbers are zero.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BODY_OUT_OF_RANGE`; `FMC_ERROR_UNTIED` where other reference coordinates, which were set
+// after the bodies were tied, have left nothing of the tie; `FMC_ERROR_BUSY`. Threads: several at once on one context, as long as no
+// call changes it.
+fmc_status fmc_context_tie(const fmc_context *context,
+                           size_t a,
+                           size_t b,
+                           fmc_tie *tie);
+
+// Traction and jump of all ties at `coords`, by pair and node of the side that holds, mostly that with the larger facets.
+//
+// `count` becomes their number; `rows` has room for `capacity`. NULL with capacity 0: the number alone is asked for.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_LENGTH`, `FMC_ERROR_NON_FINITE_COORDINATE`,
+// `FMC_ERROR_NO_STIFFNESS`, `FMC_ERROR_UNTIED` as `fmc_context_tie`, `FMC_ERROR_BUSY`. Threads: one call at a time on a context.
+fmc_status fmc_context_tie_nodes(fmc_context *context,
+                                 const fmc_coords *coords,
+                                 fmc_tie_node *rows,
+                                 size_t capacity,
+                                 size_t *count);
+
+// All ties as equations, for hosts that eliminate unknowns or have multipliers of their own: sum of `values` times coordinates = 0 for
+// every row, in compressed rows, a row for each axis of each of `fmc_context_tie_nodes`. The entries of row r are those from
+// `row_offsets[r]` to `row_offsets[r + 1]`, in ascending order of their columns, which are degrees of freedom as in
+// `fmc_context_tangent`. Offsets and columns count from the option `index_base`.
+//
+// `offset_count` becomes the number of offsets, one more than there are rows, and `count` that of entries. `row_offsets` has room for
+// `offset_capacity`, `cols` and `values` for `capacity`. An array that is NULL with capacity 0 is not written: its number alone is
+// asked for.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_LENGTH` where a number does not fit into the context's
+// numbers, `FMC_ERROR_UNSUPPORTED` where a tie keeps a gap, along which its rows depend on how facets turn, `FMC_ERROR_UNTIED` as
+// `fmc_context_tie`, `FMC_ERROR_BUSY`; nothing is written then. Threads: several at once on one context, as long as no call changes it.
+fmc_status fmc_context_tie_constraints(const fmc_context *context,
+                                       void *row_offsets,
+                                       size_t offset_capacity,
+                                       size_t *offset_count,
+                                       void *cols,
+                                       double *values,
+                                       size_t capacity,
+                                       size_t *count);
 
 // The boundary facets in the order in which `fmc_context_slip` has them, body after body.
 //

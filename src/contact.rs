@@ -13,6 +13,7 @@ mod method;
 mod partners;
 mod results;
 mod tangents;
+mod ties;
 mod work;
 
 pub use changes::Adjustment;
@@ -26,8 +27,9 @@ pub use interface::{FrictionStep, contact_force, contact_force_step};
 pub use laws::{EnergyLaw, EnergyProfile, PenetrationLaw, StiffnessFrom, suggest_fiber_stiffness, suggest_stiffness};
 pub use method::Options;
 pub(crate) use partners::Poses;
-pub use partners::{LayerStiffness, PairOptions};
+pub use partners::{Interface, LayerStiffness, PairOptions};
 pub use results::{ContactForces, PairForces, Resultant};
 pub use results::{GapConstraints, NodalContact, NodeStatus, PointOfContact, SideOfPoint};
 pub(crate) use tangents::compressed;
 pub use tangents::{CompressedRows, Pattern, RankOne, Tangent, TangentPart};
+pub use ties::{TieConstraints, TieNode, TieSummary};

@@ -10,8 +10,7 @@ pub use map_point::MapPoint;
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Error {
-    /// An array's length does not match the counts (`coords`, `body_ids`, a `conn` not divisible by the cell's node
-    /// count).
+    /// An array's length does not match the counts (`coords`, `body_ids`, a `conn` not divisible by the nodes of a cell).
     Length {
         /// Name of the array.
         array: &'static str,
@@ -68,16 +67,14 @@ pub enum Error {
         /// How many there are.
         count: usize,
     },
-    /// Two cells, or two facets of a surface that is given by facets, do not fit: an edge, a face or a node is divided, or stands
-    /// in a middle, in one of them only.
+    /// Two cells, or two facets of a surface given by facets, do not fit: an edge, face or node is divided in one of them only.
     NonConforming {
         /// Both cells (or facets), counted over all blocks.
         cells: [usize; 2],
     },
-    /// A cell is inverted: its orientation is opposite to that of the cells it is connected to, or,
-    /// for cells that are no simplices, the Jacobian is negative at a corner while it is positive at another. (A `Hex8` or
-    /// `Wedge6` may be positive at all corners and yet twisted inside; corners are what is looked at.) Or a part of a facet of
-    /// second order, in a surface given by facets, faces away from the whole.
+    /// A cell is inverted: its orientation is opposite to that of the cells it is connected to, or the Jacobian of a cell that is no
+    /// simplex is negative at one corner and positive at another. (A `Hex8` or `Wedge6` may still be twisted inside; corners are what is
+    /// looked at.) Or a part of a second-order facet, in a surface given by facets, faces away from the whole.
     InvertedCell {
         /// Cell, or facet.
         cell: usize,
@@ -258,6 +255,13 @@ pub enum Error {
     /// The law has no stiffness, and none was found from that of the bodies
     /// ([`Contact::set_layer_stiffness`](crate::Contact::set_layer_stiffness)).
     NoStiffness,
+    /// Two bodies are tied, and face one another nowhere within reach.
+    Untied {
+        /// Both bodies, by index.
+        bodies: [usize; 2],
+        /// The reach, in length.
+        reach: f64,
+    },
     /// The points of a convex hull lie in one plane (2D: on one line), or their hull cannot be found to rounding.
     DegenerateHull {
         /// Number of points.

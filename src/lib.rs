@@ -9,10 +9,10 @@
 //! The floors of the code, each of which imports only from those to its right:
 //!
 //! ```text
-//! capi  ->  partition  ->  contact  ->  overlap, sparse  ->  configuration, depth_field, sampling  ->  ranks  ->  geometry  ->  dimension, error
+//! capi  ->  partition  ->  contact  ->  interfaces  ->  overlap, sparse  ->  configuration, depth_field, sampling  ->  ranks  ->  geometry  ->  dimension, error
 //! ```
 //!
-//! `capi` (the C interface) · `partition` (meshes that ranks hold in parts) · [`contact`] (energy law, forces) · [`overlap`]
+//! `capi` (the C interface) · `partition` (meshes that ranks hold in parts) · [`contact`] (energy law, forces) · `interfaces` (surfaces that are tied) · [`overlap`]
 //! (volume and contact points, sampled or exact) · [`sparse`] (matrices of hosts, factorised) · `configuration` (the bodies at
 //! given coordinates) · `depth_field` (how deep their cells lie below their surfaces) · [`sampling`] (where the fibers lie) · `ranks`
 //! (work that is shared) · [`geometry`] (surfaces, crossings, obstacles) · `dimension` (2D and 3D behind one interface) ·
@@ -26,6 +26,7 @@ mod depth_field;
 mod dimension;
 mod error;
 pub mod geometry;
+mod interfaces;
 pub mod overlap;
 mod partition;
 mod ranks;

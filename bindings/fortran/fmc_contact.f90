@@ -30,7 +30,7 @@ module fmc_contact
              obstacle, pair, warning, add_obstacle, add_half_space, add_polytope, &
              add_convex_hull, add_signed_distance, set_pose, remove_obstacle, &
              keep_patches, begin_step, commit_step, freeze_friction, slip, set_slip, nodal_contact, &
-             contact_points, gap_constraints, augment, multipliers, set_multipliers, boundary_facets, placed, &
+             contact_points, gap_constraints, tie, tie_nodes, augment, multipliers, set_multipliers, boundary_facets, placed, &
              unplaced, view, onto, checked, copy_text, copied, finished
 
   ! Bodies in contact with one another and with obstacles. Given back when it goes out of scope; it cannot be copied.
@@ -48,6 +48,7 @@ module fmc_contact
     procedure :: set_pose, remove_obstacle
     procedure :: keep_patches, begin_step, commit_step, freeze_friction, slip, set_slip
     procedure :: nodal_contact, contact_points, gap_constraints, boundary_facets
+    procedure :: tie, tie_nodes
     procedure :: augment, multipliers, set_multipliers
     procedure, private :: copied, take
     generic :: assignment(=) => copied
@@ -593,6 +594,34 @@ contains
     if (status == FMC_OK) status = fmc_context_gap_constraints(self%handle, view(x), reach, rows, count)
     if (status == FMC_OK) status = fmc_context_gap_gradient(self%handle, row_offsets, count + 1, cols=cols, values=values, &
                                                             capacity=entries)
+    if (status == FMC_OK) then
+      rows%body = rows%body + 1
+      rows%partner = rows%partner + 1
+    end if
+    call checked(status, stat)
+  end subroutine
+
+  ! The tie of two bodies that count from 1 (fmc_context_tie); its area is 0 where they are not tied.
+  subroutine tie(self, a, b, found, stat)
+    class(contact), intent(in) :: self
+    integer, intent(in) :: a, b
+    type(fmc_tie), intent(out) :: found
+    integer, intent(out), optional :: stat
+    call checked(fmc_context_tie(self%handle, int(a - 1, c_size_t), int(b - 1, c_size_t), found), stat)
+  end subroutine
+
+  ! Traction and jump of all ties at x, by nodes and bodies that count from 1 (fmc_context_tie_nodes).
+  subroutine tie_nodes(self, x, rows, stat)
+    class(contact), intent(inout) :: self
+    real(c_double), intent(in), contiguous, target :: x(:, :)
+    type(fmc_tie_node), intent(out), allocatable :: rows(:)
+    integer, intent(out), optional :: stat
+    integer(c_size_t) :: count
+    integer(c_int32_t) :: status
+    count = 0
+    status = fmc_context_tie_nodes(self%handle, view(x), capacity=0_c_size_t, count=count)
+    allocate (rows(count))
+    if (status == FMC_OK) status = fmc_context_tie_nodes(self%handle, view(x), rows, count)
     if (status == FMC_OK) then
       rows%body = rows%body + 1
       rows%partner = rows%partner + 1

@@ -85,6 +85,7 @@ module fmc_contact_c
   integer(c_int32_t), parameter :: FMC_ERROR_NO_STIFFNESS = 63
   integer(c_int32_t), parameter :: FMC_ERROR_INTERRUPTED = 64
   integer(c_int32_t), parameter :: FMC_ERROR_MEMORY = 65
+  integer(c_int32_t), parameter :: FMC_ERROR_UNTIED = 66
   integer(c_int32_t), parameter :: FMC_CLASS_OK = 0
   integer(c_int32_t), parameter :: FMC_CLASS_INPUT = 1
   integer(c_int32_t), parameter :: FMC_CLASS_GEOMETRY = 2
@@ -134,6 +135,8 @@ module fmc_contact_c
   integer(c_int32_t), parameter :: FMC_SHAPE_HEIGHT_FIELD = 8
   integer(c_int32_t), parameter :: FMC_SHAPE_COMPOUND = 9
   integer(c_int32_t), parameter :: FMC_SHAPE_SIGNED_DISTANCE = 10
+  integer(c_int32_t), parameter :: FMC_INTERFACE_CONTACT = 0
+  integer(c_int32_t), parameter :: FMC_INTERFACE_TIED = 1
   integer(c_int32_t), parameter :: FMC_PARTNER_BODY = 0
   integer(c_int32_t), parameter :: FMC_PARTNER_OBSTACLE = 1
   integer(c_int32_t), parameter :: FMC_WARNING_COARSE_FIBERS = 1
@@ -275,7 +278,10 @@ module fmc_contact_c
     integer(c_int32_t) :: excluded
     real(c_double) :: static_coefficient
     real(c_double) :: weakening_slip
-    integer(c_int64_t) :: reserved(8)
+    integer(c_int32_t) :: interface_kind
+    integer(c_int32_t) :: reserved_flags
+    real(c_double) :: reach
+    integer(c_int64_t) :: reserved(6)
   end type
 
   type, bind(c) :: fmc_result
@@ -511,6 +517,25 @@ module fmc_contact_c
     integer(c_size_t) :: partner
     real(c_double) :: gap
     real(c_double) :: area
+    integer(c_int64_t) :: reserved(4)
+  end type
+
+  type, bind(c) :: fmc_tie
+    integer(c_size_t) :: struct_size
+    real(c_double) :: area
+    real(c_double) :: largest_gap
+    integer(c_size_t) :: node_count
+    integer(c_int64_t) :: reserved(4)
+  end type
+
+  type, bind(c) :: fmc_tie_node
+    integer(c_size_t) :: struct_size
+    integer(c_int64_t) :: node
+    integer(c_size_t) :: body
+    integer(c_size_t) :: partner
+    real(c_double) :: area
+    real(c_double) :: traction(3)
+    real(c_double) :: jump(3)
     integer(c_int64_t) :: reserved(4)
   end type
 
@@ -1223,6 +1248,36 @@ module fmc_contact_c
       integer(c_size_t), value :: capacity
       integer(c_size_t), intent(inout), optional :: count
       integer(c_int32_t) :: fmc_context_gap_gradient
+    end function
+    function fmc_context_tie(context, a, b, tie) bind(c)
+      import
+      type(c_ptr), value :: context
+      integer(c_size_t), value :: a
+      integer(c_size_t), value :: b
+      type(fmc_tie), intent(inout), optional :: tie
+      integer(c_int32_t) :: fmc_context_tie
+    end function
+    function fmc_context_tie_nodes(context, coords, rows, capacity, count) bind(c)
+      import
+      type(c_ptr), value :: context
+      type(fmc_coords), intent(in), optional :: coords
+      type(fmc_tie_node), intent(inout), optional :: rows(*)
+      integer(c_size_t), value :: capacity
+      integer(c_size_t), intent(inout), optional :: count
+      integer(c_int32_t) :: fmc_context_tie_nodes
+    end function
+    function fmc_context_tie_constraints(context, row_offsets, offset_capacity, offset_count, &
+        cols, values, capacity, count) bind(c)
+      import
+      type(c_ptr), value :: context
+      type(*), intent(inout), optional :: row_offsets(*)
+      integer(c_size_t), value :: offset_capacity
+      integer(c_size_t), intent(inout), optional :: offset_count
+      type(*), intent(inout), optional :: cols(*)
+      real(c_double), intent(inout), optional :: values(*)
+      integer(c_size_t), value :: capacity
+      integer(c_size_t), intent(inout), optional :: count
+      integer(c_int32_t) :: fmc_context_tie_constraints
     end function
     function fmc_context_boundary_facets(context, facets, capacity, count) bind(c)
       import

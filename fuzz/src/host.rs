@@ -103,7 +103,10 @@ impl Host {
             Call::Condensation { which, shift, value, hole } => condensation::chain(*which, *shift, value.0, *hole),
             Call::Fields { read, hole } => self.fields(*read, *hole),
             Call::Augment { reach, enough, damage, hole } => self.augment(reach.0, enough.0, damage.0, *hole),
-            Call::Gaps { reach, hole } => self.gaps(reach.0, *hole),
+            Call::Gaps { reach, hole } => {
+                self.gaps(reach.0, *hole);
+                self.ties(*hole);
+            }
             Call::KeepPatches { forget, hole } => self.keep_patches(*forget, *hole),
             Call::SetOptions(from) => self.set_options(&options(from, self.mesh.is_ordinary())),
             Call::SetByName { key, value } => self.set_by_name(*key, value),

@@ -367,6 +367,22 @@ class Context : public AddsShapes<Context> {
     return gaps;
   }
 
+  // The tie of two bodies; its area is 0 where they are not tied.
+  fmc_tie tie(std::size_t a, std::size_t b) const {
+    fmc_tie result{};
+    check(fmc_context_tie(get(), a, b, &result));
+    return result;
+  }
+  // Traction and jump of all ties.
+  std::vector<fmc_tie_node> tie_nodes(Coords coords) {
+    const auto x = coords.as_c(dim_);
+    return found<fmc_tie_node>([&](auto... room) { return fmc_context_tie_nodes(get(), &x, room...); });
+  }
+  // All ties as equations of the coordinates, by degrees of freedom that count from 0.
+  Csr<int64_t> tie_constraints() const {
+    return csr<int64_t>(1, [&](auto... arrays) { return fmc_context_tie_constraints(get(), arrays...); });
+  }
+
   // Moves surfaces out by what they penetrate, see `fmc_context_augment`.
   fmc_augmentation augment(Coords coords, double tolerance, double reach = 0) {
     const auto x = coords.as_c(dim_);

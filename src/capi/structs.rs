@@ -24,4 +24,5 @@ pub(super) mod pose;
 pub(super) mod shape;
 pub(super) mod signed_distance;
 pub(super) mod slip_row;
+pub(super) mod tie;
 pub(super) mod view;

@@ -17,5 +17,5 @@ pub(crate) use bearing_rules::{BearingRule, BearingRules, MeshHashes};
 pub use layers::LayerStiffness;
 pub(crate) use list::Partners;
 pub(crate) use obstacles::Poses;
-pub use pair_options::PairOptions;
+pub use pair_options::{Interface, PairOptions};
 pub(super) use rigid::Placed;

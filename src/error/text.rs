@@ -137,6 +137,12 @@ impl fmt::Display for Error {
                      does at its start"
                 )
             }
+            Error::Untied { bodies: [a, b], reach } => {
+                write!(
+                    f,
+                    "bodies {a} and {b} are tied, and face one another nowhere within {reach:e}: a larger reach ties them across their gap"
+                )
+            }
             Error::DegenerateHull { point_count } => {
                 write!(f, "the convex hull of these {point_count} points is flat, or cannot be found to rounding")
             }

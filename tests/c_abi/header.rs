@@ -75,6 +75,8 @@ pub(crate) const SECTIONS: [Section; 20] = [
             "calls/results/contact_points",
             "structs/gap_constraint",
             "calls/results/gap_constraints",
+            "structs/tie",
+            "calls/results/ties",
             "structs/boundary_facet",
             "calls/mesh/boundary_facets",
             "calls/mesh/point_weights",

@@ -62,7 +62,26 @@ void forces_and_getters() {
   own.excluded = 1;
   contact.set_pair_options(a, b, own);
   EXPECT(contact.evaluate(coords).pair_count == 0);
+
+  // Tied, each row of weights adds up to 0, and the tractions are the force.
+  own = fmc::PairOptions();
+  own.interface_kind = FMC_INTERFACE_TIED;
+  own.reach = 0.5;
+  contact.set_pair_options(a, b, own);
+  contact.evaluate(coords);
+  const auto tie = contact.tie(0, 1);
+  EXPECT(tie.area > 0 && tie.node_count > 0 && contact.pair_options(a, b).interface_kind == FMC_INTERFACE_TIED);
+  double pulled = 0;
+  for (const auto &node : contact.tie_nodes(coords)) pulled += node.traction[0] * node.area * (node.body == 1 ? 1 : -1);
+  EXPECT(close(pulled, contact.body(1).force[0], 1e-12));
+  if (tie.largest_gap == 0) {
+    const auto equations = contact.tie_constraints();
+    EXPECT(equations.rows() == 2 * tie.node_count);
+  } else {
+    EXPECT(refused(FMC_ERROR_UNSUPPORTED, "gap", [&] { contact.tie_constraints(); }));
+  }
   contact.clear_pair_options(a, b);
+  EXPECT(contact.tie(0, 1).area == 0 && contact.tie_nodes(coords).empty());
   EXPECT(contact.pair_options(a, b).excluded == 0 && contact.evaluate(coords).pair_count == 1);
   EXPECT(refused(FMC_ERROR_OBSTACLE_OUT_OF_RANGE, "", [&] { contact.pair_options(a, fmc::Partner::obstacle(0)); }));
 

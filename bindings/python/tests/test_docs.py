@@ -110,6 +110,7 @@ PIECES = {
             "N, T = (contact.evaluate(x).bodies[1].force[axis] for axis in (1, 0))\nassert N > 10 and abs(abs(T) / N - 0.3) < 0.02, (N, T)",
         ),
     ],
+    "interfaces.md": [("", "assert np.allclose(result.forces[4:7, 1], [-0.5, -1, -0.5])")],
     "large-problems.md": [None],  # hosts/dolfinx/tests
     "newton.md": [
         # The upper square stands on the lower one by its weight, and by nothing else.

@@ -50,6 +50,8 @@ def test_a_stiffness_alone_takes_the_law_with_its_exponent() -> None:
         "stiffness": 5 * K,
         "exponent": 2.0,
         "smoothing_length": 0.0,
+        "interface": "contact",
+        "reach": 0.0,
     }
     assert pressures(contact)[0, FLOOR] == pytest.approx(5 * K * 2 * 0.1)
 

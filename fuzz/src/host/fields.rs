@@ -85,4 +85,32 @@ impl Host {
             assert!(values.values().iter().all(|value| value.is_finite()));
         }
     }
+
+    /// Ties at the coordinates, and as equations.
+    pub(super) fn ties(&mut self, hole: Hole) {
+        let array = Array::new(&self.mesh.coords, self.mesh.dim, Layout::Rows);
+        let (view, mut count, mut entries) = (array.view, 77usize, 77usize);
+        // SAFETY: as in `gaps`.
+        unsafe {
+            let mut tie = std::mem::MaybeUninit::<fmc_tie>::zeroed().assume_init();
+            let status = checked(fmc_context_tie(self.context, 0, 1, unless(hole, 3, &raw mut tie)));
+            assert!(status != OK || hole == 3 || tie.struct_size == size_of::<fmc_tie>());
+            let (null, nothing) = (std::ptr::null_mut(), std::ptr::null_mut());
+            let entries_at = unless(hole, 4, &raw mut entries);
+            let status = fmc_context_tie_constraints(self.context, null, 0, nothing, null, std::ptr::null_mut(), 0, entries_at);
+            assert!(checked(status) != OK || hole == 4 || entries != 77);
+            let coords = unless(hole, 0, (&raw const view).cast_mut());
+            let none = std::ptr::null_mut();
+            let status = fmc_context_tie_nodes(self.context, coords, none, 0, unless(hole, 1, &raw mut count));
+            if checked(status) != OK || hole == 1 {
+                assert_eq!(count, 77);
+                return;
+            }
+            let blank = std::mem::MaybeUninit::<fmc_tie_node>::zeroed().assume_init();
+            let found = Guarded::new(&vec![blank; count]);
+            let status = fmc_context_tie_nodes(self.context, coords, found.ptr(), count, std::ptr::null_mut());
+            assert_eq!(checked(status), OK);
+            assert!(found.values().iter().all(|row| row.struct_size == size_of::<fmc_tie_node>()));
+        }
+    }
 }

@@ -41,6 +41,8 @@ impl Host {
                 options.smoothing_length = from.smoothing_length.map_or(0.0, |x| x.0);
             }
             options.excluded = i32::from(from.excluded % 3);
+            options.interface_kind = i32::from(from.excluded / 64);
+            options.reach = if from.excluded >= 64 { from.stiffness.0 } else { 0.0 };
             options.gap_offset = from.gap_offset.map_or(0.0, |x| x.0);
             let given = unless(hole, 0, &raw mut options).cast_const();
             let status = checked(fmc_context_set_pair_options(context, a_kind, a, b_kind, b, given));

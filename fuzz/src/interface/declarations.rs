@@ -80,6 +80,7 @@ pub const FMC_ERROR_RESERVED_FIELD: i32 = 62;
 pub const FMC_ERROR_NO_STIFFNESS: i32 = 63;
 pub const FMC_ERROR_INTERRUPTED: i32 = 64;
 pub const FMC_ERROR_MEMORY: i32 = 65;
+pub const FMC_ERROR_UNTIED: i32 = 66;
 pub const FMC_CLASS_OK: i32 = 0;
 pub const FMC_CLASS_INPUT: i32 = 1;
 pub const FMC_CLASS_GEOMETRY: i32 = 2;
@@ -129,6 +130,8 @@ pub const FMC_SHAPE_CONVEX_HULL: i32 = 7;
 pub const FMC_SHAPE_HEIGHT_FIELD: i32 = 8;
 pub const FMC_SHAPE_COMPOUND: i32 = 9;
 pub const FMC_SHAPE_SIGNED_DISTANCE: i32 = 10;
+pub const FMC_INTERFACE_CONTACT: i32 = 0;
+pub const FMC_INTERFACE_TIED: i32 = 1;
 pub const FMC_PARTNER_BODY: i32 = 0;
 pub const FMC_PARTNER_OBSTACLE: i32 = 1;
 pub const FMC_WARNING_COARSE_FIBERS: i32 = 1;
@@ -317,7 +320,10 @@ pub struct fmc_pair_options {
     pub excluded: i32,
     pub static_coefficient: f64,
     pub weakening_slip: f64,
-    pub reserved: [u64; 8],
+    pub interface_kind: i32,
+    pub reserved_flags: i32,
+    pub reach: f64,
+    pub reserved: [u64; 6],
 }
 
 #[repr(C)]
@@ -594,6 +600,29 @@ pub struct fmc_gap_constraint {
 
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct fmc_tie {
+    pub struct_size: usize,
+    pub area: f64,
+    pub largest_gap: f64,
+    pub node_count: usize,
+    pub reserved: [u64; 4],
+}
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct fmc_tie_node {
+    pub struct_size: usize,
+    pub node: i64,
+    pub body: usize,
+    pub partner: usize,
+    pub area: f64,
+    pub traction: [f64; 3],
+    pub jump: [f64; 3],
+    pub reserved: [u64; 4],
+}
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct fmc_boundary_facet {
     pub struct_size: usize,
     pub body: usize,
@@ -764,6 +793,9 @@ unsafe extern "C" {
     pub fn fmc_context_contact_points(context: *mut fmc_context, coords: *const fmc_coords, points: *mut fmc_contact_point, capacity: usize, count: *mut usize) -> fmc_status;
     pub fn fmc_context_gap_constraints(context: *mut fmc_context, coords: *const fmc_coords, reach: f64, rows: *mut fmc_gap_constraint, capacity: usize, count: *mut usize) -> fmc_status;
     pub fn fmc_context_gap_gradient(context: *const fmc_context, row_offsets: *mut c_void, offset_capacity: usize, offset_count: *mut usize, cols: *mut c_void, values: *mut f64, capacity: usize, count: *mut usize) -> fmc_status;
+    pub fn fmc_context_tie(context: *const fmc_context, a: usize, b: usize, tie: *mut fmc_tie) -> fmc_status;
+    pub fn fmc_context_tie_nodes(context: *mut fmc_context, coords: *const fmc_coords, rows: *mut fmc_tie_node, capacity: usize, count: *mut usize) -> fmc_status;
+    pub fn fmc_context_tie_constraints(context: *const fmc_context, row_offsets: *mut c_void, offset_capacity: usize, offset_count: *mut usize, cols: *mut c_void, values: *mut f64, capacity: usize, count: *mut usize) -> fmc_status;
     pub fn fmc_context_boundary_facets(context: *const fmc_context, facets: *mut fmc_boundary_facet, capacity: usize, count: *mut usize) -> fmc_status;
     pub fn fmc_context_point_weights(context: *const fmc_context, row_offsets: *mut c_void, offset_capacity: usize, offset_count: *mut usize, nodes: *mut c_void, weights: *mut f64, capacity: usize, count: *mut usize) -> fmc_status;
     pub fn fmc_context_slip(context: *const fmc_context, slip: *mut f64, capacity: usize, count: *mut usize) -> fmc_status;

@@ -144,6 +144,8 @@ pub enum fmc_status {
     /// Memory that the call needs for large arrays cannot be had. Memory that runs out for small ones, or that a system grants and does
     /// not have, ends the process.
     FMC_ERROR_MEMORY = 65,
+    /// Two bodies are tied, and face one another nowhere within reach.
+    FMC_ERROR_UNTIED = 66,
 }
 
 use fmc_status::*;
@@ -216,6 +218,7 @@ const NAMES: &[(fmc_status, &CStr)] = &[
     (FMC_ERROR_NO_STIFFNESS, c"FMC_ERROR_NO_STIFFNESS"),
     (FMC_ERROR_INTERRUPTED, c"FMC_ERROR_INTERRUPTED"),
     (FMC_ERROR_MEMORY, c"FMC_ERROR_MEMORY"),
+    (FMC_ERROR_UNTIED, c"FMC_ERROR_UNTIED"),
 ];
 
 impl From<&Error> for fmc_status {
@@ -258,6 +261,7 @@ impl From<&Error> for fmc_status {
             Error::Place { .. } => FMC_ERROR_PLACE,
             Error::NoStep => FMC_ERROR_NO_STEP,
             Error::NoStiffness => FMC_ERROR_NO_STIFFNESS,
+            Error::Untied { .. } => FMC_ERROR_UNTIED,
             Error::Interrupted => FMC_ERROR_INTERRUPTED,
             Error::Memory { .. } => FMC_ERROR_MEMORY,
             Error::DegenerateHull { .. } => FMC_ERROR_DEGENERATE_HULL,
@@ -303,7 +307,7 @@ mod tests {
         for (code, name) in NAMES {
             assert_eq!(name.to_str().unwrap(), format!("{code:?}"));
         }
-        assert_eq!(NAMES.last().unwrap().0, FMC_ERROR_MEMORY);
+        assert_eq!(NAMES.last().unwrap().0, FMC_ERROR_UNTIED);
     }
 
     #[test]
@@ -330,6 +334,7 @@ mod tests {
             Error::ObstacleRemoved { obstacle: 0 },
             Error::NoStep,
             Error::NoStiffness,
+            Error::Untied { bodies: [0, 1], reach: 0.1 },
             Error::NonFiniteSlip { facet: 0 },
             Error::NegativeRadius { node: 0, radius: -1.0 },
             Error::NonConforming { cells: [0, 1] },

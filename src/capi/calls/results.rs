@@ -4,3 +4,4 @@ pub(super) mod contact_points;
 pub(super) mod gap_constraints;
 pub(super) mod getters;
 pub(super) mod nodal_contact;
+pub(super) mod ties;

@@ -10,6 +10,7 @@ mod mesh;
 mod partners;
 mod results;
 mod steps;
+mod ties;
 
 use super::session::Counts;
 use crate::capi::boundary::failure::Failure;

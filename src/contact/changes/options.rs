@@ -9,7 +9,7 @@ use crate::overlap::Partner;
 
 /// Replaces the options of all pairs that have none of their own. On an error the old ones stay.
 pub(crate) fn set<const D: usize>(contact: &mut Contact<D>, options: Options) -> Result<(), Error> {
-    let Contact { mesh, partners, method, work, history, state } = contact;
+    let Contact { mesh, partners, method, work, history, ties, state } = contact;
     Method::check(&options, &mesh.surface)?;
     partners.table.check(&options)?;
     history.multipliers.check(&options.law, options.self_contact)?;
@@ -26,6 +26,7 @@ pub(crate) fn set<const D: usize>(contact: &mut Contact<D>, options: Options) ->
     }
     if options.axisymmetric != old.axisymmetric {
         mesh.forget_depth();
+        ties.find_again(mesh, method.weighting());
     }
     if options.friction != old.friction || options.axisymmetric != old.axisymmetric {
         history.release_friction();
@@ -48,7 +49,12 @@ pub(crate) fn set_pair<const D: usize>(
         let is_own = pair[0] == pair[1] && !excluded;
         contact.history.multipliers.check(&law.unwrap_or(of_contact.law), is_own)?;
     }
+    let own_before = contact.partners.table.options(&pair);
     contact.partners.set_pair_options(pair, options, &of_contact)?;
+    if let Err(error) = set_tie(contact, pair, options) {
+        contact.partners.set_pair_options(pair, own_before, &of_contact)?;
+        return Err(error);
+    }
     let after = contact.partners.friction_of(&pair, &of_contact);
     if !contact.partners.has(&pair, &of_contact) {
         contact.history.leave_out(|partners| *partners == pair);
@@ -58,6 +64,31 @@ pub(crate) fn set_pair<const D: usize>(
         contact.history.release_friction();
     }
     contact.state.forget_found();
+    Ok(())
+}
+
+/// Ties a pair, or releases it.
+fn set_tie<const D: usize>(
+    contact: &mut Contact<D>,
+    pair: [Partner; 2],
+    options: Option<PairOptions>,
+) -> Result<(), Error> {
+    let [Partner::Body(a), Partner::Body(b)] = pair else { return Ok(()) };
+    let Contact { mesh, method, ties, .. } = contact;
+    let reach = options.and_then(|options| options.tied_within());
+    if reach.is_some() {
+        mesh.surface.refuse_submesh("bodies that are tied, of a mesh in parts")?;
+        if mesh.surface.cells.is_none() {
+            return Err(Error::Unsupported { what: "bodies that are tied, without cells" });
+        }
+    }
+    ties.set([a, b], reach, mesh, method.weighting())
+}
+
+/// Sets the coordinates without deformation, on which ties are found.
+pub(crate) fn set_reference<const D: usize>(contact: &mut Contact<D>, coords: &[[f64; D]]) -> Result<(), Error> {
+    contact.mesh.set_reference(coords)?;
+    contact.ties.find_again(&contact.mesh, contact.method.weighting());
     Ok(())
 }
 

@@ -6,6 +6,7 @@ use crate::contact::evaluation::{Contact, kernels};
 use crate::contact::history::{Multiplier, Multipliers, check_law, sorted};
 use crate::contact::method::Options;
 use crate::contact::results::GapConstraints;
+use crate::contact::ties::Change;
 use crate::geometry::Vector;
 use crate::geometry::aabb::Aabb;
 use crate::overlap::Partner;
@@ -61,10 +62,16 @@ impl<const D: usize> Contact<D> {
         is_enough: impl Fn(&Augmentation) -> bool,
     ) -> Result<Augmentation, Error> {
         let (next, mut found) = self.measured(coords, reach)?;
+        let of_ties = self.change_ties(coords, false)?;
+        found.change = found.change.max(of_ties.largest);
+        found.mean_change = found.mean_change.max(of_ties.mean);
         found.is_enough = is_enough(&found);
         match found.is_enough {
             true => self.history.multipliers.end_series(),
-            false => self.history.multipliers = next,
+            false => {
+                self.history.multipliers = next;
+                self.change_ties(coords, true)?;
+            }
         }
         found.count = self.history.multipliers.list().len();
         Ok(found)
@@ -87,6 +94,16 @@ impl<const D: usize> Contact<D> {
         self.mesh.surface.mesh_points(coords)?.iter().for_each(|x| extent.include(&Vector::from(*x)));
         let reach = if reach > 0.0 { reach } else { REACH * extent.extent().max() };
         Ok(self.history.multipliers.moved_out(&kernels::gap_constraints(self, coords, reach)?))
+    }
+
+    /// What the multipliers of ties would change, and with `takes` they do.
+    fn change_ties(&mut self, coords: &[[f64; D]], takes: bool) -> Result<Change, Error> {
+        if self.ties.is_empty() {
+            return Ok(Change::default());
+        }
+        let Self { mesh, partners, method, ties, .. } = self;
+        let stiffness = |pair: [Partner; 2]| partners.law_of(&pair, method).initial_stiffness().unwrap_or(0.0);
+        ties.change(&mesh.points(coords)?, stiffness, takes)
     }
 
     /// How far surfaces are moved out, ascending by node and partner: with the coordinates all that a restart needs, or a load step

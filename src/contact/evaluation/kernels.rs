@@ -15,6 +15,7 @@ use crate::dimension::{recast, rows};
 use crate::overlap::normal_lines::estimate as normal_lines;
 use crate::overlap::{self, FiberTrace, Overlap, Partner, Patches, Reach, Warning};
 use std::any::Any;
+use std::ops::Deref;
 
 /// Facets with friction by pair.
 pub(crate) type SlipFacetsByPair<const D: usize> = Vec<SlipFacets<D>>;
@@ -31,18 +32,37 @@ enum Surfaces {
     Shifted,
 }
 
+/// Points of the straight mesh.
+struct Points<'a, const D: usize> {
+    /// As surfaces are measured.
+    measured: &'a [[f64; D]],
+    /// Where they are.
+    unshifted: &'a [[f64; D]],
+}
+
+impl<const D: usize> Deref for Points<'_, D> {
+    type Target = [[f64; D]];
+
+    fn deref(&self) -> &[[f64; D]] {
+        self.measured
+    }
+}
+
 /// What `work` finds at the points of the straight mesh, as the host's nodes have it.
 fn on_points<const D: usize, T: OntoNodes>(
     contact: &Contact<D>,
     coords: &[[f64; D]],
     surfaces: Surfaces,
-    work: impl FnOnce(&[[f64; D]]) -> Result<T, Error>,
+    work: impl FnOnce(&Points<D>) -> Result<T, Error>,
 ) -> Result<T, Error> {
-    let mut points = contact.mesh.points(coords)?;
-    if surfaces == Surfaces::Shifted && !contact.history.multipliers.is_empty() {
-        contact.history.multipliers.add_to(points.to_mut());
-    }
-    let found = work(&points);
+    let unshifted = contact.mesh.points(coords)?;
+    let is_shifted = surfaces == Surfaces::Shifted && !contact.history.multipliers.is_empty();
+    let shifted = is_shifted.then(|| {
+        let mut points = unshifted.to_vec();
+        contact.history.multipliers.add_to(&mut points);
+        points
+    });
+    let found = work(&Points { measured: shifted.as_deref().unwrap_or(&unshifted), unshifted: &unshifted });
     let Some(division) = contact.mesh.surface.division() else { return found };
     Ok(found.map_err(|error| division.in_host_numbers(error))?.onto_nodes(division))
 }
@@ -121,7 +141,7 @@ patches = patches_in() -> patch_list }
 /// What is asked of every pair, with its friction.
 fn measured_pairs<const D: usize>(
     contact: &Contact<D>,
-    coords: &[[f64; D]],
+    coords: &Points<D>,
     asked: &Asked,
 ) -> Result<(Vec<Answer<D>>, Vec<Tractions<D>>), Error> {
     check_ready(contact)?;
@@ -141,7 +161,13 @@ fn measured_pairs<const D: usize>(
         });
         Ok(Some((answer, tractions)))
     })?;
-    let (answers, tractions): (Vec<_>, Vec<_>) = found.into_iter().unzip();
+    let (mut answers, tractions): (Vec<_>, Vec<_>) = found.into_iter().unzip();
+    if !contact.ties.is_empty() {
+        let stiffness = |pair| contact.stiffness_of_pair(pair);
+        for (energy, tangent) in contact.ties.measured(coords.unshifted, stiffness, (asked.energy, asked.tangent))? {
+            answers.push(Answer { energy, tangent, nodal_sums: None, points: Vec::new() });
+        }
+    }
     let mut tractions: Vec<_> = tractions.into_iter().flatten().collect();
     let frozen = contact.history.frozen_at(coords, &contact.partners.obstacles.poses());
     tractions.extend(frozen.iter().map(|facets| Tractions::new(facets, coords.len(), asked.tangent, rotations)));
@@ -151,7 +177,7 @@ fn measured_pairs<const D: usize>(
     Ok((answers, tractions))
 }
 
-fn evaluate_in<const D: usize>(contact: &Contact<D>, coords: &[[f64; D]]) -> Result<ContactForces<D>, Error> {
+fn evaluate_in<const D: usize>(contact: &Contact<D>, coords: &Points<D>) -> Result<ContactForces<D>, Error> {
     let asked = Asked { energy: true, ..Asked::default() };
     let (answers, tractions) = measured_pairs(contact, coords, &asked)?;
     forces_of(contact, coords, answers.into_iter().filter_map(|answer| answer.energy), &tractions)
@@ -163,7 +189,10 @@ fn forces_of<const D: usize>(
     energies: impl Iterator<Item = PairEnergy<D>>,
     tractions: &[Tractions<D>],
 ) -> Result<ContactForces<D>, Error> {
-    let energies: Vec<_> = energies.collect();
+    let mut energies: Vec<_> = energies.collect();
+    if !contact.ties.is_empty() {
+        energies.sort_by_key(|energy| (energy.overlap.a, energy.overlap.b));
+    }
     let mut forces = ContactForces::assemble(
         &contact.mesh.surface,
         contact.partners.obstacles.count(),
@@ -181,7 +210,7 @@ fn forces_of<const D: usize>(
 
 fn tangent_in<const D: usize>(
     contact: &Contact<D>,
-    coords: &[[f64; D]],
+    coords: &Points<D>,
     part: TangentPart,
 ) -> Result<Tangent<D>, Error> {
     tangent_with(contact, coords, part, rotates_obstacles(contact))
@@ -195,7 +224,7 @@ fn rotates_obstacles<const D: usize>(contact: &Contact<D>) -> bool {
 
 fn tangent_with<const D: usize>(
     contact: &Contact<D>,
-    coords: &[[f64; D]],
+    coords: &Points<D>,
     part: TangentPart,
     rotations: bool,
 ) -> Result<Tangent<D>, Error> {
@@ -213,7 +242,7 @@ fn tangent_of<const D: usize>(
 
 fn evaluate_tangent_in<const D: usize>(
     contact: &Contact<D>,
-    coords: &[[f64; D]],
+    coords: &Points<D>,
     part: TangentPart,
 ) -> Result<(ContactForces<D>, Tangent<D>), Error> {
     let rotations = rotates_obstacles(contact);
@@ -236,7 +265,7 @@ fn slip_facets_in<const D: usize>(contact: &Contact<D>, coords: &[[f64; D]]) -> 
     })
 }
 
-fn stable_step_in<const D: usize>(contact: &Contact<D>, coords: &[[f64; D]], masses: &[f64]) -> Result<f64, Error> {
+fn stable_step_in<const D: usize>(contact: &Contact<D>, coords: &Points<D>, masses: &[f64]) -> Result<f64, Error> {
     let expected = contact.mesh.surface.unknown_count();
     if masses.len() != expected {
         return Err(Error::Length { array: "masses", expected, found: masses.len() });

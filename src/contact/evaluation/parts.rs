@@ -6,6 +6,7 @@ use crate::contact::history::History;
 use crate::contact::mesh::Mesh;
 use crate::contact::method::{Method, Options};
 use crate::contact::partners::Partners;
+use crate::contact::ties::Ties;
 use crate::contact::work::Work;
 use crate::geometry::Surface;
 
@@ -20,6 +21,7 @@ pub struct Contact<const D: usize> {
     pub(crate) method: Method<D>,
     pub(crate) work: Work,
     pub(crate) history: History<D>,
+    pub(crate) ties: Ties<D>,
     /// Nothing that any result depends on.
     pub(crate) state: LastState<D>,
 }
@@ -33,6 +35,7 @@ pub(crate) fn assemble<const D: usize>(surface: Surface<D>, options: Options) ->
         work: Work::new(options.threads)?,
         method: Method::new(options)?,
         history: History::new(),
+        ties: Ties::default(),
         state: LastState::new(),
     })
 }

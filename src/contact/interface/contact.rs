@@ -47,7 +47,7 @@ impl<const D: usize> Contact<D> {
     /// [`Error::Unsupported`] for a surface without cells, [`Error::Length`], [`Error::NonFiniteCoordinate`],
     /// [`Error::InvertedCell`], [`Error::ZeroMeasure`]; the old ones then stay.
     pub fn set_reference(&mut self, coords: &[[f64; D]]) -> Result<(), Error> {
-        self.mesh.set_reference(coords)
+        changes::options::set_reference(self, coords)
     }
 
     /// Has the nodes of the mesh moved by a host's own unknowns, `None`: by themselves again. Coordinates are then those of the

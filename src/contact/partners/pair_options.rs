@@ -29,6 +29,26 @@ pub struct PairOptions {
     /// exact. Any other shape becomes the signed distance φ less the offset: edges that point outwards are rounded, and
     /// what holds for a [`Shape::SignedDistance`](crate::Shape::SignedDistance) holds for it.
     pub gap_offset: f64,
+    /// What happens between the two.
+    pub interface: Interface,
+}
+
+/// What happens between two bodies.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum Interface {
+    /// They press and rub where they touch.
+    #[default]
+    Contact,
+    /// They go together where their faces face one another without deformation, within `reach`, and are in no contact: neither there
+    /// nor elsewhere. Faces face one another up to an angle of 60°. A gap, or an overlap, within reach is kept, along the normal of a
+    /// facet.
+    ///
+    /// The energy of the tie is k/2 times the squared means of the jump, with the stiffness k of the pair's law; its rows are those of
+    /// [`Contact::tie_constraints`](crate::Contact::tie_constraints). Multipliers take the jump away.
+    Tied {
+        /// In length; 0: a tenth of the larger facets.
+        reach: f64,
+    },
 }
 
 impl PairOptions {
@@ -45,6 +65,19 @@ impl PairOptions {
     /// A pair that is left out.
     pub fn excluded() -> Self {
         Self { excluded: true, ..Self::default() }
+    }
+
+    /// Two bodies that are tied, within a reach; 0: a tenth of the larger facets.
+    pub fn tied(reach: f64) -> Self {
+        Self { interface: Interface::Tied { reach }, ..Self::default() }
+    }
+
+    /// The reach of a tie, if the pair is one.
+    pub(crate) fn tied_within(&self) -> Option<f64> {
+        match self.interface {
+            Interface::Tied { reach } if !self.excluded => Some(reach),
+            _ => None,
+        }
     }
 
     /// A pair with a law of its own.

@@ -61,7 +61,7 @@ impl<const D: usize> PairTable<D> {
     /// Whether the pair is evaluated, where it would be `by_default`.
     pub(crate) fn has(&self, pair: &[Partner; 2], by_default: bool) -> bool {
         // A body with itself that is in the table is there to be evaluated, unless the entry says otherwise.
-        self.0.get(pair).map_or(by_default, |entry| !entry.options.excluded)
+        self.0.get(pair).map_or(by_default, |entry| !entry.options.excluded && entry.options.tied_within().is_none())
     }
 
     /// The law of the pair, if it has one of its own.
@@ -135,6 +135,7 @@ fn check(pair: &[Partner; 2], options: &PairOptions, defaults: &Options) -> Resu
     let of_pair = |cause| Error::OfPair { sides: pair.map(side), cause: Box::new(cause) };
     own.and_then(|()| Options { law, friction, ..*defaults }.check())
         .and_then(|()| check_offset(pair, options, law.needs_depth()))
+        .and_then(|()| check_tie(pair, options))
         .map_err(of_pair)
 }
 
@@ -148,4 +149,16 @@ fn check_offset(pair: &[Partner; 2], options: &PairOptions, has_depth: bool) -> 
         Partner::Body(_) if value < 0.0 && !has_depth => Err(Error::Unsupported { what: law }),
         _ => Ok(()),
     }
+}
+
+fn check_tie(pair: &[Partner; 2], options: &PairOptions) -> Result<(), Error> {
+    let Some(reach) = options.tied_within() else { return Ok(()) };
+    let what = match pair {
+        [_, Partner::Obstacle(_)] => "a body that is tied to an obstacle: the host prescribes how its nodes move",
+        [a, b] if a == b => "a body that is tied to itself",
+        _ if options.gap_offset != 0.0 => "a gap offset of bodies that are tied: their gap is kept as it is",
+        _ if !(reach.is_finite() && reach >= 0.0) => return Err(Error::NotPositive { name: "reach", value: reach }),
+        _ => return Ok(()),
+    };
+    Err(Error::Unsupported { what })
 }

@@ -115,6 +115,12 @@ impl CurvedCells {
         self.combined(cell, self.shape.values(place), coords)
     }
 
+    /// The points that move a place of a cell, with their weights.
+    pub(super) fn weights(&self, cell: usize, place: [f64; 3]) -> impl Iterator<Item = (u32, f64)> {
+        let of_points: Vec<f64> = (self.shape.values(place) * &self.of_nodes).iter().copied().collect();
+        self.points(cell).iter().copied().zip(of_points)
+    }
+
     /// How fast the position changes along a direction of the coordinates.
     pub(super) fn slope<const D: usize>(
         &self,

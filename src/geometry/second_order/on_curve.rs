@@ -48,4 +48,9 @@ impl<const D: usize> OnCurve<'_, D> {
     pub(crate) fn slope(&self, at: [f64; 3], from: [f64; 3], to: [f64; 3]) -> Vector<D> {
         self.curved.slope((self.cell, at), std::array::from_fn(|axis| to[axis] - from[axis]), self.coords)
     }
+
+    /// The points of the mesh that move a place, with their weights.
+    pub(crate) fn weights(&self, place: [f64; 3]) -> impl Iterator<Item = (u32, f64)> {
+        self.curved.weights(self.cell, place)
+    }
 }

@@ -32,6 +32,7 @@ from .stateless import contact_force, contact_force_step
 from .step_limit import StepLimit
 from .stiffness import suggest_stiffness
 from .tangent import RankOne, Tangent
+from .ties import Tie, TieConstraints, TieNodes
 
 __version__: str = _shared.fmc_version().decode()
 
@@ -90,6 +91,9 @@ __all__ = [
     "Shape",
     "StepLimit",
     "Tangent",
+    "Tie",
+    "TieConstraints",
+    "TieNodes",
     "check_host",
     "contact_force",
     "contact_force_step",

@@ -80,6 +80,7 @@ FMC_ERROR_RESERVED_FIELD = 62
 FMC_ERROR_NO_STIFFNESS = 63
 FMC_ERROR_INTERRUPTED = 64
 FMC_ERROR_MEMORY = 65
+FMC_ERROR_UNTIED = 66
 FMC_CLASS_OK = 0
 FMC_CLASS_INPUT = 1
 FMC_CLASS_GEOMETRY = 2
@@ -129,6 +130,8 @@ FMC_SHAPE_CONVEX_HULL = 7
 FMC_SHAPE_HEIGHT_FIELD = 8
 FMC_SHAPE_COMPOUND = 9
 FMC_SHAPE_SIGNED_DISTANCE = 10
+FMC_INTERFACE_CONTACT = 0
+FMC_INTERFACE_TIED = 1
 FMC_PARTNER_BODY = 0
 FMC_PARTNER_OBSTACLE = 1
 FMC_WARNING_COARSE_FIBERS = 1
@@ -226,6 +229,7 @@ FMC_STATUS: dict[int, str] = {
     63: "error_no_stiffness",
     64: "error_interrupted",
     65: "error_memory",
+    66: "error_untied",
 }
 
 FMC_STATUS_CLASS_VALUE: dict[int, str] = {
@@ -278,6 +282,8 @@ FMC_SHAPE_KIND: dict[int, str] = {
     9: "compound",
     10: "signed_distance",
 }
+
+FMC_INTERFACE: dict[int, str] = {0: "contact", 1: "tied"}
 
 FMC_PARTNER: dict[int, str] = {0: "body", 1: "obstacle"}
 

@@ -49,6 +49,8 @@ from ._structs import (
     fmc_resultant,
     fmc_shape,
     fmc_step_limit,
+    fmc_tie,
+    fmc_tie_node,
 )
 
 FUNCTIONS: dict[str, tuple[Any, list[Any]]] = {
@@ -221,6 +223,15 @@ FUNCTIONS: dict[str, tuple[Any, list[Any]]] = {
         [fmc_context, POINTER(fmc_coords), c_double, POINTER(fmc_gap_constraint), c_size_t, POINTER(c_size_t)],
     ),
     "fmc_context_gap_gradient": (
+        c_int32,
+        [fmc_context, IndexArray, c_size_t, POINTER(c_size_t), IndexArray, Float64Array, c_size_t, POINTER(c_size_t)],
+    ),
+    "fmc_context_tie": (c_int32, [fmc_context, c_size_t, c_size_t, POINTER(fmc_tie)]),
+    "fmc_context_tie_nodes": (
+        c_int32,
+        [fmc_context, POINTER(fmc_coords), POINTER(fmc_tie_node), c_size_t, POINTER(c_size_t)],
+    ),
+    "fmc_context_tie_constraints": (
         c_int32,
         [fmc_context, IndexArray, c_size_t, POINTER(c_size_t), IndexArray, Float64Array, c_size_t, POINTER(c_size_t)],
     ),

@@ -176,7 +176,10 @@ class fmc_pair_options(Structure):
         ("excluded", c_int32),
         ("static_coefficient", c_double),
         ("weakening_slip", c_double),
-        ("reserved", c_uint64 * 8),
+        ("interface_kind", c_int32),
+        ("reserved_flags", c_int32),
+        ("reach", c_double),
+        ("reserved", c_uint64 * 6),
     ]
 
 
@@ -448,6 +451,29 @@ class fmc_gap_constraint(Structure):
         ("partner", c_size_t),
         ("gap", c_double),
         ("area", c_double),
+        ("reserved", c_uint64 * 4),
+    ]
+
+
+class fmc_tie(Structure):
+    _fields_ = [
+        ("struct_size", c_size_t),
+        ("area", c_double),
+        ("largest_gap", c_double),
+        ("node_count", c_size_t),
+        ("reserved", c_uint64 * 4),
+    ]
+
+
+class fmc_tie_node(Structure):
+    _fields_ = [
+        ("struct_size", c_size_t),
+        ("node", c_int64),
+        ("body", c_size_t),
+        ("partner", c_size_t),
+        ("area", c_double),
+        ("traction", c_double * 3),
+        ("jump", c_double * 3),
         ("reserved", c_uint64 * 4),
     ]
 

@@ -30,6 +30,7 @@ from .ranks import Ranks
 from .result import Result
 from .step_limit import StepLimit
 from .tangent import Tangent
+from .ties import TieConstraints, TieNodes, tie_constraints, tie_nodes
 
 
 class Contact:
@@ -507,6 +508,58 @@ class Contact:
         view = coords_view(coords, self._core.dim)
         with self._core.handle:
             return contact_points(self._core.handle, view, self._core.dim)
+
+    def tie_nodes(self, coords: ArrayLike) -> TieNodes:
+        """Traction and jump of all ties, by pair and node of the side that holds, mostly that with the larger facets.
+
+        Parameters
+        ----------
+        coords : array_like, (n, dim) or (dim, n)
+            Coordinates of all nodes.
+
+        Returns
+        -------
+        TieNodes
+            A row for each mean of the jump that a tie holds.
+
+        Raises
+        ------
+        LengthError, NonFiniteCoordinateError
+            If the coordinates do not fit the mesh.
+        UntiedError
+            As ``pairs.tie``.
+
+        Examples
+        --------
+        >>> len(contact.tie_nodes(coords))
+        0
+        """
+        view = coords_view(coords, self._core.dim)
+        with self._core.handle:
+            return tie_nodes(self._core.handle, view, self._core.dim)
+
+    def tie_constraints(self) -> TieConstraints:
+        """All ties as equations of the coordinates, for a host that eliminates unknowns or has multipliers of its own.
+
+        Returns
+        -------
+        TieConstraints
+            ``dim`` rows for each row of ``tie_nodes``.
+
+        Raises
+        ------
+        UnsupportedError
+            If a tie keeps a gap.
+        UntiedError
+            As ``pairs.tie``.
+
+        Examples
+        --------
+        >>> len(contact.tie_constraints())
+        0
+        """
+        with self._core.handle:
+            return tie_constraints(self._core.handle, self._core.options.index_base)
 
     def gap_constraints(self, coords: ArrayLike, reach: float) -> GapConstraints:
         """Weighted gaps of all nodes near a partner, apart or overlapping, with their derivative.

@@ -298,6 +298,10 @@ class NoStiffnessError(FmcError, RuntimeError):
     """The contact has no stiffness: none was given, and none was found from the bodies' matrix."""
 
 
+class UntiedError(FmcError, ValueError):
+    """Two bodies are tied, and face one another nowhere within reach."""
+
+
 class EndedError(FmcError, RuntimeError):
     """The call was ended by its caller."""
 

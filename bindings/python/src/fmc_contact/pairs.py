@@ -5,10 +5,11 @@ from __future__ import annotations
 from ctypes import byref
 from typing import Any, Optional, Union
 
-from ._constants import FMC_LAW, FMC_PAIR_FRICTION_OF_CONTEXT, FMC_PAIR_LAW_OF_CONTEXT, FMC_PARTNER
+from ._constants import FMC_INTERFACE, FMC_LAW, FMC_PAIR_FRICTION_OF_CONTEXT, FMC_PAIR_LAW_OF_CONTEXT, FMC_PARTNER
 from ._core import Core
 from ._library import check, library
-from ._structs import fmc_pair_options
+from ._structs import fmc_pair_options, fmc_tie
+from .ties import Tie
 
 Partner = Union[int, tuple[str, int]]
 """A body by its number among ``Result.bodies``, or ``("body", number)`` or ``("obstacle", number)``, as in
@@ -58,6 +59,8 @@ class Pairs:
         weakening_slip: float = 0.0,
         gap_offset: float = 0.0,
         excluded: bool = False,
+        interface: str = "contact",
+        reach: float = 0.0,
     ) -> None:
         """Gives a pair options of its own, in place of those it had.
 
@@ -86,6 +89,12 @@ class Pairs:
             bodies the law must be ``"depth"`` and the offset not positive: each body may enter by ``-gap_offset`` before it presses.
         excluded : bool
             Whether the pair is not evaluated at all.
+        interface : str
+            ``"contact"``, or ``"tied"``: two bodies go together where their undeformed faces lie opposite each other, and are in no
+            contact anywhere. See ``tie``.
+        reach : float
+            Of bodies that are tied: the largest gap or overlap between faces that belong together (length). A gap stays as it is.
+            0: a tenth of the larger facets.
 
         Raises
         ------
@@ -96,7 +105,9 @@ class Pairs:
         BadValueError, OptionsConflictError
             If a value is unknown, or would have no effect.
         UnsupportedError
-            For two obstacles, for a law that the estimator does not support, and for a gap offset that cannot be.
+            For two obstacles, for a law that the estimator does not support, and for a gap offset or a tie that cannot be.
+        UntiedError
+            If bodies that are tied lie opposite each other nowhere within reach.
 
         Examples
         --------
@@ -108,6 +119,10 @@ class Pairs:
         own = fmc_pair_options()
         check(library.fmc_pair_options_init(byref(own)))
         own.excluded, own.gap_offset = bool(excluded), float(gap_offset)
+        interfaces = {name: number for number, name in FMC_INTERFACE.items()}
+        if interface not in interfaces:
+            raise ValueError(f"option 'interface' has no value '{interface}', expected {' or '.join(interfaces)}")
+        own.interface_kind, own.reach = interfaces[interface], float(reach)
         own.static_coefficient, own.weakening_slip = float(static_coefficient), float(weakening_slip)
         if friction_coefficient is not None:
             own.friction_coefficient = float(friction_coefficient)
@@ -178,6 +193,37 @@ class Pairs:
         options: dict[str, Any] = {"excluded": bool(found.excluded), "gap_offset": found.gap_offset}
         options["friction_coefficient"] = found.friction_coefficient if has_friction else None
         options.update(static_coefficient=found.static_coefficient, weakening_slip=found.weakening_slip)
+        options.update(interface=FMC_INTERFACE[found.interface_kind], reach=found.reach)
         options["law"] = FMC_LAW[found.law] if has_law else None
         options.update({key: getattr(found, key) if has_law else None for key in _OF_LAW})
         return options
+
+    def tie(self, a: int, b: int) -> Tie:
+        """The tie of two bodies, as it was found without deformation.
+
+        Parameters
+        ----------
+        a, b : int
+            The bodies.
+
+        Returns
+        -------
+        Tie
+            What is tied. Its area is 0 where the bodies are not tied.
+
+        Raises
+        ------
+        BodyOutOfRangeError
+            If there is no such body.
+        UntiedError
+            If other reference coordinates have left nothing of the tie.
+
+        Examples
+        --------
+        >>> contact.pairs.tie(0, 1).area
+        0.0
+        """
+        found = fmc_tie()
+        with self._core.handle:
+            self._core.handle.call(library.fmc_context_tie, _named(a)[1], _named(b)[1], byref(found))
+        return Tie(found.area, found.largest_gap, found.node_count)

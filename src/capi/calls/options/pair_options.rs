@@ -6,14 +6,15 @@ use crate::capi::boundary::failure::Failure;
 use crate::capi::boundary::given_struct::check_struct;
 use crate::capi::boundary::pointer::{Output, optional};
 use crate::capi::boundary::status::fmc_status;
-use crate::capi::boundary::status::fmc_status::FMC_ERROR_OPTIONS_CONFLICT;
+use crate::capi::boundary::status::fmc_status::{FMC_ERROR_OPTIONS_CONFLICT, FMC_ERROR_RESERVED_FIELD};
 use crate::capi::context::session::in_either;
 use crate::capi::context::state::{fmc_context, read, write};
+use crate::capi::structs::choice::Choice;
 use crate::capi::structs::law::LawFields;
 use crate::capi::structs::option_values::{EXCLUDED, static_friction};
 use crate::capi::structs::options::{fmc_estimator, fmc_options};
 use crate::capi::structs::partner::partner;
-use crate::contact::PairOptions;
+use crate::contact::{Interface, PairOptions};
 
 /// Value of `law` in `fmc_pair_options`: the pair follows the law of the context's options, with its stiffness, also
 /// after they change.
@@ -22,6 +23,25 @@ pub const FMC_PAIR_LAW_OF_CONTEXT: i32 = -1;
 /// Value of `friction_coefficient` in `fmc_pair_options`: the pair has that of the context's options, also after it
 /// changes.
 pub const FMC_PAIR_FRICTION_OF_CONTEXT: i32 = -1;
+
+/// What happens between two bodies.
+#[repr(C)]
+pub enum fmc_interface {
+    /// They press and rub where they touch.
+    FMC_INTERFACE_CONTACT = 0,
+    /// They go together where their faces face one another without deformation, within `reach` and up to an angle of 60 degrees; they are in
+    /// no contact, neither there nor elsewhere. A gap or an overlap within reach is kept. Not with an obstacle, and not of a mesh in
+    /// parts. See `fmc_context_tie`. Key value "tied".
+    FMC_INTERFACE_TIED = 1,
+}
+
+const INTERFACE: Choice = Choice {
+    key: "interface_kind",
+    values: &[
+        (fmc_interface::FMC_INTERFACE_CONTACT as i32, "contact"),
+        (fmc_interface::FMC_INTERFACE_TIED as i32, "tied"),
+    ],
+};
 
 /// Options of one pair of partners, in place of the context's. `fmc_pair_options_init` sets all of them to what a pair
 /// has without options of its own.
@@ -58,8 +78,15 @@ pub struct fmc_pair_options {
     pub static_coefficient: f64,
     /// Slip over which it falls to that of what slides, a length; positive with `static_coefficient`, else 0, the default.
     pub weakening_slip: f64,
+    /// What happens between two bodies, a value of `fmc_interface`. Default `FMC_INTERFACE_CONTACT`.
+    pub interface_kind: i32,
+    /// Zero.
+    pub reserved_flags: i32,
+    /// How far apart faces that are tied may be, or how far they may overlap, a length, with `FMC_INTERFACE_TIED`; 0, the default: a
+    /// tenth of the larger facets.
+    pub reach: f64,
     /// Zero. Room for options of later versions.
-    pub reserved: [u64; 8],
+    pub reserved: [u64; 6],
 }
 
 impl Default for fmc_pair_options {
@@ -75,7 +102,10 @@ impl Default for fmc_pair_options {
             excluded: 0,
             static_coefficient: 0.0,
             weakening_slip: 0.0,
-            reserved: [0; 8],
+            interface_kind: fmc_interface::FMC_INTERFACE_CONTACT as i32,
+            reserved_flags: 0,
+            reach: 0.0,
+            reserved: [0; 6],
         }
     }
 }
@@ -86,8 +116,12 @@ impl From<PairOptions> for fmc_pair_options {
         let (excluded, gap_offset) = (options.excluded.into(), options.gap_offset);
         let [static_coefficient, weakening_slip] =
             options.static_friction.map_or([0.0; 2], |own| [own.coefficient, own.weakening_slip]);
-        let own =
-            Self { excluded, friction_coefficient, static_coefficient, weakening_slip, gap_offset, ..Self::default() };
+        let (interface_kind, reach) = match options.interface {
+            Interface::Contact => (fmc_interface::FMC_INTERFACE_CONTACT as i32, 0.0),
+            Interface::Tied { reach } => (fmc_interface::FMC_INTERFACE_TIED as i32, reach),
+        };
+        let own = Self { excluded, friction_coefficient, gap_offset, interface_kind, reach, ..Self::default() };
+        let own = Self { static_coefficient, weakening_slip, ..own };
         match options.law.map(LawFields::from) {
             None => own,
             Some(LawFields { law, stiffness, exponent, smoothing_length }) => {
@@ -101,6 +135,9 @@ impl fmc_pair_options {
     /// The options of the crate, which checks the numbers.
     fn to_pair_options(self) -> Result<PairOptions, Failure> {
         check_struct::<Self>("fmc_pair_options", self.struct_size, self.reserved)?;
+        if self.reserved_flags != 0 {
+            return Err(Failure::new(FMC_ERROR_RESERVED_FIELD, "'reserved_flags' of fmc_pair_options is not zero"));
+        }
         let coefficient = self.friction_coefficient;
         let friction_coefficient = (coefficient != f64::from(FMC_PAIR_FRICTION_OF_CONTEXT)).then_some(coefficient);
         Ok(PairOptions {
@@ -109,7 +146,19 @@ impl fmc_pair_options {
             friction_coefficient,
             static_friction: static_friction(self.static_coefficient, self.weakening_slip),
             gap_offset: self.gap_offset,
+            interface: self.interface()?,
         })
+    }
+
+    fn interface(&self) -> Result<Interface, Failure> {
+        match INTERFACE.name(self.interface_kind)? {
+            "tied" => Ok(Interface::Tied { reach: self.reach }),
+            _ if self.reach != 0.0 => Err(Failure::new(
+                FMC_ERROR_OPTIONS_CONFLICT,
+                "option 'reach' of a pair belongs to the interface 'tied'",
+            )),
+            _ => Ok(Interface::Contact),
+        }
     }
 
     fn law(&self) -> Result<Option<EnergyLaw>, Failure> {
@@ -158,7 +207,8 @@ pub unsafe extern "C" fn fmc_pair_options_init(options: *mut fmc_pair_options) -
 /// `FMC_ERROR_OBSTACLE_REMOVED`, naming the index; `FMC_ERROR_BAD_VALUE` for an unknown kind or value,
 /// `FMC_ERROR_OPTIONS_CONFLICT` for an option that would have no effect; `FMC_ERROR_RESERVED_FIELD`; `FMC_ERROR_STRUCT_SIZE`; `FMC_ERROR_NOT_POSITIVE`;
 /// `FMC_ERROR_UNSUPPORTED` for two obstacles, for a law that the estimator of the context does not support, and for a
-/// gap offset between bodies that is positive or has another law than "depth"; `FMC_ERROR_BUSY`. What was set before then stays. `fmc_context_set_options` refuses an
+/// gap offset between bodies that is positive or has another law than "depth"; `FMC_ERROR_UNTIED` for bodies that are
+/// tied and face one another nowhere within reach, `FMC_ERROR_BUSY`. What was set before then stays. `fmc_context_set_options` refuses an
 /// estimator that does not support the law of a pair. Threads: one call at a time on a context.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_set_pair_options(
@@ -210,7 +260,7 @@ pub unsafe extern "C" fn fmc_context_pair_options(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::capi::boundary::status::fmc_status::{FMC_ERROR_RESERVED_FIELD, FMC_ERROR_STRUCT_SIZE};
+    use crate::capi::boundary::status::fmc_status::FMC_ERROR_STRUCT_SIZE;
     use crate::contact::StaticFriction;
     use crate::{EnergyProfile, PenetrationLaw};
 
@@ -237,7 +287,9 @@ mod tests {
                     let own = |mu: f64| StaticFriction { coefficient: 1.5 * mu, weakening_slip: 0.1 };
                     let static_friction = friction_coefficient.filter(|mu| *mu > 0.0).map(own);
                     let law = Some(law);
-                    let options = PairOptions { excluded, law, friction_coefficient, static_friction, gap_offset };
+                    let interface = if excluded { Interface::Contact } else { Interface::Tied { reach: 0.25 } };
+                    let options =
+                        PairOptions { excluded, law, friction_coefficient, static_friction, gap_offset, interface };
                     assert_eq!(fmc_pair_options::from(options).to_pair_options().unwrap(), options);
                 }
             }
@@ -257,7 +309,10 @@ mod tests {
             (|o| (o.law, o.smoothing_length) = (2, 1.0), conflict, "'smoothing_length' belongs to the law 'fiber'"),
             (|o| o.law = 3, VALUE, "option 'law' has no value 3"),
             (|o| o.excluded = 2, VALUE, "option 'excluded' has no value 2"),
-            (|o| o.reserved[7] = 1, reserved, "later version"),
+            (|o| o.reserved[5] = 1, reserved, "later version"),
+            (|o| o.reserved_flags = 1, reserved, "'reserved_flags'"),
+            (|o| o.interface_kind = 2, VALUE, "option 'interface_kind' has no value 2"),
+            (|o| o.reach = 0.1, conflict, "'reach' of a pair belongs to the interface 'tied'"),
         ] {
             let (status, found) = refused(change);
             assert!(status == wanted && found.contains(text), "{found}");

@@ -54,12 +54,14 @@ async fn looked_at<const D: usize>(host: &Host<D>, x: &[f64]) -> Result<Report<D
     let mut said = vec![at_rest(host, x).await?];
     said.extend(derivative(host, &assembly, x).await?);
     said.extend(rigid(host, &assembly).await?);
-    let motions = Motions::loose(host, &assembly).await?;
+    // Ties hold bodies with a stiffness that is found first.
+    let layered = layers::complete(host, &assembly, x).await;
+    let motions = Motions::loose(host, &assembly, &coords).await?;
     said.push(match motions.count() {
         0 => "supports: every body is held".to_owned(),
         count => format!("supports: {count} rigid motions are held by contact alone, or hardly held"),
     });
-    if let Err(trouble) = layers::complete(host, &assembly, x).await {
+    if let Err(trouble) = layered {
         said.push(trouble.to_string());
         return Err(Trouble::Failed(said.join("; ")));
     }

@@ -20,6 +20,7 @@ use std::sync::Arc;
 pub(super) async fn load_step<const D: usize>(asking: Asking<D>, step: LoadStep<D>) -> Result<Found<D>, Refusal> {
     let host = Host::new(asking, step.unknowns.clone());
     let (before, stiffened) = host.contact(|contact| (contact.multipliers(), contact.history.stiffened)).await;
+    let of_ties = host.contact(|contact| contact.ties.multipliers()).await;
     let is_found = host.contact(|contact| contact.options().law.is_without_stiffness()).await;
     let mut search = match prepared(&host, &step).await {
         Ok((assembly, motions, has_friction, pressed)) => Search {
@@ -47,6 +48,7 @@ pub(super) async fn load_step<const D: usize>(asking: Asking<D>, step: LoadStep<
                 }
                 // What was there before the step was accepted then, and is now.
                 let _ = contact.set_multipliers(&before);
+                contact.ties.put_back(of_ties);
                 take_up(contact, begun);
             });
             undo.await;
@@ -73,7 +75,7 @@ async fn prepared<const D: usize>(
     if has_friction && (is_new || !has_begun) {
         host.contact(move |contact| contact.begin_step(&coords)).await?;
     }
-    let motions = Motions::loose(host, &assembly).await?;
+    let motions = Motions::loose(host, &assembly, &host.unknowns.coords(&step.x)).await?;
     let pressed = host.contact(|contact| contact.largest_stiffness()).await;
     Ok((assembly, motions, has_friction, pressed))
 }

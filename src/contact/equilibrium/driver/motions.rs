@@ -72,7 +72,11 @@ impl Motions {
     }
 
     /// Those of all bodies, at a state whose matrix the host has.
-    pub(super) async fn loose<const D: usize>(host: &Host<D>, assembly: &Assembly<D>) -> Result<Self, Trouble> {
+    pub(super) async fn loose<const D: usize>(
+        host: &Host<D>,
+        assembly: &Assembly<D>,
+        coords: &[[f64; D]],
+    ) -> Result<Self, Trouble> {
         let diagonal = host.diagonal().await?;
         let weighted = |a: &[f64], b: &[f64]| a.iter().zip(b).zip(&diagonal).map(|((a, b), k)| a * b * k).sum::<f64>();
         let mut fields = Vec::new();
@@ -84,6 +88,7 @@ impl Motions {
         for field in &fields {
             products.push(host.product(field.clone(), false).await?);
         }
+        add_ties(host, coords, &fields, &mut products).await?;
         let gram = |of: &dyn Fn(usize, usize) -> f64| {
             let full = DMatrix::from_fn(count, count, of);
             0.5 * (&full + full.transpose())
@@ -156,6 +161,22 @@ fn picked(stiffness: &DMatrix<f64>, alone: &DMatrix<f64>) -> (Vec<DVector<f64>>,
         found.push(combination);
     }
     (found, !free.is_empty() || values.iter().any(|value| *value <= FREE))
+}
+
+/// Adds what ties hold motions with.
+async fn add_ties<const D: usize>(
+    host: &Host<D>,
+    coords: &[[f64; D]],
+    fields: &[Vec<f64>],
+    products: &mut [Vec<f64>],
+) -> Result<(), Trouble> {
+    let motions: Vec<_> = fields.iter().map(|field| host.unknowns.spread(field)).collect();
+    let coords = coords.to_vec();
+    let held = host.contact(move |contact| contact.held_by_ties(&coords, &motions)).await?;
+    for (product, rows) in products.iter_mut().zip(held) {
+        product.iter_mut().zip(host.unknowns.gather(&rows)).for_each(|(sum, held)| *sum += held);
+    }
+    Ok(())
 }
 
 /// What motions ask of unknowns that move no coordinate, such as multipliers by which a host holds bodies; zero where it is rounding.

@@ -1,0 +1,243 @@
+"""Tied bodies in equilibrium: uniform stress, curved interfaces, bending, and bodies that only a tie holds."""
+
+import numpy as np
+import pytest
+from fmc_contact import find_equilibrium
+from fmc_contact_skfem import SkfemContact
+from scipy.sparse import block_diag
+from scipy.sparse.linalg import spsolve
+from skfem import (
+    Basis,
+    ElementHex1,
+    ElementHex2,
+    ElementHexS2,
+    ElementQuad1,
+    ElementQuad2,
+    ElementQuadS2,
+    ElementTetP1,
+    ElementTetP2,
+    ElementTriP1,
+    ElementTriP2,
+    ElementVector,
+    FacetBasis,
+    LinearForm,
+    MeshHex,
+    MeshQuad,
+    MeshQuad2,
+    MeshTet,
+    MeshTri,
+)
+from skfem.models.elasticity import lame_parameters, linear_elasticity
+
+LAME, SHEAR = lame_parameters(1.0, 0.3)
+IN_PLANE = {"T3": ElementTriP1, "T6": ElementTriP2, "Q4": ElementQuad1, "Q8": ElementQuadS2, "Q9": ElementQuad2}
+IN_SPACE = {"T4": ElementTetP1, "T10": ElementTetP2, "H8": ElementHex1, "H20": ElementHexS2, "H27": ElementHex2}
+
+
+def block(kind, edges, low):
+    """A block of height 1/2 above ``low``, with so many edges along each side of its lower face."""
+    across, up = np.linspace(0, 1, edges + 1), np.linspace(low, low + 0.5, 3)
+    if kind in IN_PLANE:
+        mesh = (MeshTri if kind[0] == "T" else MeshQuad).init_tensor(across, up)
+        return Basis(mesh, ElementVector(IN_PLANE[kind]()), intorder=5)
+    mesh = (MeshTet if kind[0] == "T" else MeshHex).init_tensor(across, across, up[::2])
+    return Basis(mesh, ElementVector(IN_SPACE[kind]()), intorder=5)
+
+
+class Tied:
+    """Two bodies, tied, and the matrix of both."""
+
+    def __init__(self, bases, stiffness=0.0, **tie):
+        self.bases = list(zip(bases, (0, bases[0].N)))
+        self.matrix = block_diag([linear_elasticity(LAME, SHEAR).assemble(basis) for basis in bases], format="csr")
+        self.contact = SkfemContact(self.bases, stiffness=stiffness)
+        self.contact.contact.pairs.set(0, 1, interface="tied", **tie)
+        self.load, self.free = np.zeros(self.matrix.shape[0]), np.ones(self.matrix.shape[0], bool)
+
+    def hold(self, where):
+        for basis, first in self.bases:
+            self.free[first : first + basis.N][where(basis.doflocs)] = False
+
+    def by_penalty(self, prescribed=0.0):
+        u = np.where(self.free, 0.0, prescribed)
+        tangent = (self.matrix + self.contact.tangent(u)).tocsr()
+        right = self.load - self.matrix @ u + self.contact.force(u)
+        u[self.free] += spsolve(tangent[self.free][:, self.free].tocsc(), right[self.free])
+        return u
+
+    def found(self, prescribed=None):
+        return find_equilibrium(lambda u: (self.matrix @ u - self.load, self.matrix), self.contact, np.zeros(len(self.load)), self.free, prescribed)
+
+
+def uniform(tied, stress):
+    """Loads of a uniform stress on all faces but those of the tie; the displacement that has it on the lowest face."""
+    dim = len(stress)
+    strain = (stress - LAME / (2 * SHEAR + dim * LAME) * np.trace(stress) * np.eye(dim)) / (2 * SHEAR)
+    prescribed = np.zeros(len(tied.load))
+    for basis, first in tied.bases:
+        facets = basis.mesh.boundary_facets()
+        middles = basis.mesh.p[:, basis.mesh.facets[:, facets]].mean(1)
+        outer = FacetBasis(basis.mesh, basis.elem, facets=facets[~np.isclose(middles[-1], 0.5)], intorder=6)
+        tied.load[first : first + basis.N] = LinearForm(lambda v, w: np.einsum("ij,j...,i...->...", stress, w.n, v)).assemble(outer)
+        prescribed[first : first + basis.N] = basis.project(lambda x: np.einsum("ij,j...->i...", strain, x))
+    tied.hold(lambda x: x[-1] < 1e-9)
+    return prescribed
+
+
+def stress_error(tied, u, stress):
+    error = 0.0
+    for basis, first in tied.bases:
+        gradient = basis.interpolate(u[first : first + basis.N]).grad
+        strain = (gradient + np.swapaxes(gradient, 0, 1)) / 2
+        own = 2 * SHEAR * strain + LAME * np.einsum("ii...->...", strain) * np.eye(len(stress))[:, :, None, None]
+        error = max(error, np.abs(own - stress[:, :, None, None]).max())
+    return error / np.abs(stress).max()
+
+
+STRESSES = {2: 1e-2 * np.array([[0.3, 0.25], [0.25, -1]]), 3: 1e-2 * np.array([[0.3, 0.25, 0.1], [0.25, -1, 0.2], [0.1, 0.2, 0.6]])}
+
+
+@pytest.mark.parametrize("kinds, edges", [(IN_PLANE, (3, 7)), (IN_PLANE, (14, 1)), (IN_SPACE, (2, 3))])
+def test_a_uniform_stress_passes(kinds, edges):
+    # Rounding in matrices of this size is 1e-12.
+    for below in kinds:
+        for above in kinds:
+            tied = Tied([block(below, edges[0], 0.0), block(above, edges[1], 0.5)], stiffness=50.0)
+            stress = STRESSES[tied.contact.contact.dim]
+            u = tied.by_penalty(uniform(tied, stress))
+            assert stress_error(tied, u, stress) < 1e-11, (below, above)
+
+
+def test_the_search_needs_no_stiffness():
+    # The upper block is held by the tie alone.
+    tied = Tied([block("Q9", 3, 0.0), block("Q4", 7, 0.5)])
+    prescribed = uniform(tied, STRESSES[2])
+    found = tied.found(prescribed)
+    assert stress_error(tied, found.x, STRESSES[2]) < 1e-9
+    tractions = tied.contact.contact.tie_nodes(tied.contact.coords(found.x))
+    # On the lower body, whose facets are the larger ones.
+    assert set(tractions.body) == {0} and np.allclose(tractions.traction, STRESSES[2][:, 1], atol=1e-6)
+
+
+def test_a_gap_bends_by_its_shear():
+    # Uniform stress along the tie does not see a gap; the error of a shear stress is the moment of the gap.
+    errors = {}
+    for gap in (0.0, 0.01, 0.02):
+        upper = block("Q9", 3, 0.5)
+        upper = Basis(upper.mesh.translated((0, gap)), upper.elem, intorder=5)
+        tied = Tied([block("Q9", 3, 0.0), upper], stiffness=50.0, reach=0.05)
+        assert tied.contact.contact.pairs.tie(0, 1).largest_gap == pytest.approx(gap, abs=1e-14)
+        for shear in (0.0, 1e-4):
+            stress = np.array([[0.0, shear], [shear, -1e-4]])
+            tied.free[:], tied.load[:] = True, 0.0
+            prescribed = uniform(tied, stress)
+            # The upper block's lower face is at 0.5 + gap.
+            upper, first = tied.bases[1]
+            facets = upper.mesh.facets_satisfying(lambda x: x[1] > 0.5 + gap + 1e-9, boundaries_only=True)
+            outer = FacetBasis(upper.mesh, upper.elem, facets=facets, intorder=6)
+            load = LinearForm(lambda v, w: np.einsum("ij,j...,i...->...", stress, w.n, v)).assemble(outer)
+            tied.load[first:] = load
+            errors[gap, shear] = stress_error(tied, tied.by_penalty(prescribed), stress)
+    assert max(errors[gap, 0.0] for gap in (0.0, 0.01, 0.02)) < 1e-8
+    assert errors[0.0, 1e-4] < 1e-8
+    assert 0.5 < errors[0.02, 1e-4] / (2 * errors[0.01, 1e-4]) < 1.5 and errors[0.01, 1e-4] < 0.1
+
+
+def curved(edges, side, is_second_order):
+    """A block below or above y = 0.15 cos 2x."""
+    mesh = MeshQuad.init_tensor(np.linspace(0, np.pi, 2 * edges + 1), np.linspace(0, 1, edges + 1))
+
+    def place(p):
+        wave = 0.15 * np.cos(2 * p[0])
+        low, high = (-1.0, wave) if side == 0 else (wave, 1.0)
+        return np.array([p[0], low + p[1] * (high - low)])
+
+    if is_second_order:
+        mesh = MeshQuad2.from_mesh(mesh)
+        return Basis(MeshQuad2(place(mesh.doflocs), mesh.t), ElementVector(ElementQuad2()), intorder=6)
+    return Basis(MeshQuad(place(mesh.p), mesh.t), ElementVector(ElementQuad1()), intorder=6)
+
+
+def exact(x):
+    return 1e-3 * np.array([np.sin(x[0] + 0.4) * np.cos(x[1]), np.cos(0.7 * x[0]) * np.sin(x[1] + 0.3)])
+
+
+def body_force(x):
+    """-div sigma of the exact displacement."""
+    s, c = np.sin, np.cos
+    ux = -s(x[0] + 0.4) * c(x[1])  # u_xx and u_yy alike.
+    vx, vy = -0.49 * c(0.7 * x[0]) * s(x[1] + 0.3), -c(0.7 * x[0]) * s(x[1] + 0.3)
+    uxy, vxy = -c(x[0] + 0.4) * s(x[1]), -0.7 * s(0.7 * x[0]) * c(x[1] + 0.3)
+    first = (LAME + 2 * SHEAR) * ux + SHEAR * ux + (LAME + SHEAR) * vxy
+    second = (LAME + 2 * SHEAR) * vy + SHEAR * vx + (LAME + SHEAR) * uxy
+    return -1e-3 * np.array([first, second])
+
+
+@pytest.mark.parametrize("is_second_order, order", [(False, 2), (True, 3)])
+def test_a_curved_interface_converges(is_second_order, order):
+    errors = []
+    for edges in (2, 4, 8):
+        tied = Tied([curved(2 * edges, 0, is_second_order), curved(3 * edges, 1, is_second_order)], stiffness=1e6)
+        prescribed = np.zeros(len(tied.load))
+        for basis, first in tied.bases:
+            own = slice(first, first + basis.N)
+            tied.load[own] = LinearForm(lambda v, w: (body_force(w.x) * v).sum(0)).assemble(basis)
+            values = exact(basis.doflocs)
+            for axis in range(2):
+                prescribed[own][basis.nodal_dofs[axis]] = values[axis][basis.nodal_dofs[axis]]
+            component = np.zeros(basis.N, int)
+            for dofs in (basis.nodal_dofs, basis.facet_dofs, basis.interior_dofs):
+                for row, of_row in enumerate(dofs):
+                    component[of_row] = row % 2
+            prescribed[own] = np.where(component == 0, values[0], values[1])
+        tied.hold(lambda x: (x[0] < 1e-9) | (x[0] > np.pi - 1e-9) | (np.abs(np.abs(x[1]) - 1) < 1e-9))
+        # So stiff that the penalty is not seen.
+        u, squared = tied.by_penalty(prescribed), 0.0
+        for basis, first in tied.bases:
+            off = np.asarray(basis.interpolate(u[first : first + basis.N])) - exact(np.asarray(basis.global_coordinates()))
+            squared += ((off**2).sum(0) * basis.dx).sum()
+        errors.append(np.sqrt(squared))
+    orders = np.log2(np.array(errors[:-1]) / errors[1:])
+    assert orders[-1] > order - 0.3, (errors, orders)
+
+
+def beam(below, above, edges, stiffness):
+    bases = []
+    for kind, count, low in zip((below, above), edges, (0.0, 0.5)):
+        mesh = MeshQuad.init_tensor(np.linspace(0, 10, count + 1), np.linspace(low, low + 0.5, 3))
+        bases.append(Basis(mesh, ElementVector(IN_PLANE[kind]())))
+    tied = Tied(bases, stiffness=stiffness)
+    tied.hold(lambda x: x[0] < 1e-9)
+    for basis, first in tied.bases:
+        end = FacetBasis(basis.mesh, basis.elem, facets=basis.mesh.facets_satisfying(lambda x: x[0] > 10 - 1e-9))
+        tied.load[first : first + basis.N] = LinearForm(lambda v, w: 1e-6 * v[1]).assemble(end)
+    u = tied.found().x if stiffness == 0 else tied.by_penalty()
+    return u[np.flatnonzero((bases[0].doflocs[0] > 10 - 1e-9) & (bases[0].doflocs[1] < 1e-9))[1]]
+
+
+@pytest.mark.parametrize("kinds, edges", [(("Q9", "Q4"), (5, 35)), (("Q4", "Q9"), (35, 5)), (("Q9", "Q9"), (4, 28))])
+def test_no_stiffness_locks(kinds, edges):
+    # By 1 % between a penalty as soft as the bodies and one of 1e7; a tie at points loses 10 to 25 %.
+    tips = [beam(*kinds, edges, stiffness) for stiffness in (1.0, 1e3, 1e7)]
+    assert max(tips) < 1.01 * min(tips)
+    assert 0.99 * min(tips) < beam(*kinds, edges, 0.0) < 1.01 * max(tips)
+
+
+def test_equations_are_those_that_a_host_eliminates():
+    # Nodes of one side by those of the other: the solution by null space is that of a stiff penalty.
+    tied = Tied([block("Q4", 3, 0.0), block("Q4", 5, 0.5)], stiffness=1e7)
+    tied.hold(lambda x: x[1] < 1e-9)
+    upper, first = tied.bases[1]
+    tied.load[first:] = LinearForm(lambda v, w: 1e-3 * v[0]).assemble(upper)
+    rows = tied.contact.contact.tie_constraints()
+    nodes = np.concatenate([first + basis.nodal_dofs.T.ravel() for basis, first in tied.bases])
+    equations = np.zeros((len(rows), len(tied.load)))
+    for row in range(len(rows)):
+        own = slice(rows.indptr[row], rows.indptr[row + 1])
+        equations[row, nodes[rows.indices[own]]] = rows.data[own]
+    free = tied.free
+    left = np.linalg.svd(equations[:, free])[2][np.linalg.matrix_rank(equations[:, free]) :].T
+    matrix = left.T @ tied.matrix[free][:, free].toarray() @ left
+    u = np.zeros(len(free))
+    u[free] = left @ np.linalg.solve(matrix, left.T @ tied.load[free])
+    assert np.abs(u - tied.by_penalty()).max() < 1e-5 * np.abs(u).max()

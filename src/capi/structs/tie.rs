@@ -1,0 +1,89 @@
+//! Ties as plain structs.
+
+use crate::contact::{TieConstraints, TieNode, TieSummary};
+
+/// The tie of two bodies.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct fmc_tie {
+    /// Size of this struct, as the library wrote it.
+    pub struct_size: usize,
+    /// Area that is tied (2D: length; with axisymmetry the area of whole rings); 0: the bodies are not tied.
+    pub area: f64,
+    /// The largest gap, or overlap, that is kept between the surfaces, a length.
+    pub largest_gap: f64,
+    /// Number of means of the jump that are held: of nodes of the side that holds, mostly that with the larger facets.
+    pub node_count: usize,
+    /// Zero.
+    pub reserved: [u64; 4],
+}
+
+/// A node of a tie, of the side that holds, mostly that with the larger facets.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct fmc_tie_node {
+    /// Size of this struct, as the library wrote it.
+    pub struct_size: usize,
+    /// The node, counted from the option `index_base`; with cells of second order the point, see
+    /// `fmc_context_point_weights`.
+    pub node: i64,
+    /// Its body, an index for `fmc_context_body_resultant`.
+    pub body: usize,
+    /// The body that it is tied to.
+    pub partner: usize,
+    /// Area that it stands for.
+    pub area: f64,
+    /// Traction on its body, force by area; in 2D the last is 0.
+    pub traction: [f64; 3],
+    /// Mean of how far its body has moved away from the other one, a length; in 2D the last is 0.
+    pub jump: [f64; 3],
+    /// Zero.
+    pub reserved: [u64; 4],
+}
+
+impl From<Option<TieSummary>> for fmc_tie {
+    fn from(found: Option<TieSummary>) -> Self {
+        let TieSummary { area, largest_gap, count } = found.unwrap_or_default();
+        Self { struct_size: size_of::<Self>(), area, largest_gap, node_count: count, reserved: [0; 4] }
+    }
+}
+
+impl fmc_tie_node {
+    pub(crate) fn new<const D: usize>(one: &TieNode<D>, index_base: i32) -> Self {
+        let in_space = |x: &[f64; D]| std::array::from_fn(|axis| if axis < D { x[axis] } else { 0.0 });
+        Self {
+            struct_size: size_of::<Self>(),
+            node: i64::from(one.node) + i64::from(index_base),
+            body: one.bodies[0],
+            partner: one.bodies[1],
+            area: one.area,
+            traction: in_space(&one.traction),
+            jump: in_space(&one.jump),
+            reserved: [0; 4],
+        }
+    }
+}
+
+/// Equations of ties by degrees of freedom, all counted from zero.
+pub(crate) struct TieRows {
+    pub(crate) row_starts: Vec<usize>,
+    pub(crate) cols: Vec<usize>,
+    pub(crate) values: Vec<f64>,
+    /// One more than the largest column.
+    pub(crate) dof_count: usize,
+}
+
+impl TieRows {
+    pub(crate) fn new<const D: usize>(found: &TieConstraints) -> Self {
+        let (mut row_starts, mut cols, mut values) = (vec![0], Vec::new(), Vec::new());
+        for ends in found.row_starts.windows(2) {
+            for axis in 0..D {
+                cols.extend(found.columns[ends[0]..ends[1]].iter().map(|&node| node as usize * D + axis));
+                values.extend(&found.weights[ends[0]..ends[1]]);
+                row_starts.push(cols.len());
+            }
+        }
+        let dof_count = cols.iter().max().map_or(0, |last| last + 1);
+        Self { row_starts, cols, values, dof_count }
+    }
+}

@@ -1,0 +1,101 @@
+//! What hosts ask of ties.
+
+use crate::Error;
+use crate::contact::evaluation::Contact;
+use crate::contact::results::OntoNodes;
+use crate::contact::tangents::{Tangent, TangentPart};
+use crate::contact::ties::{TieConstraints, TieNode, TieSummary};
+use crate::overlap::Partner;
+use std::collections::BTreeMap;
+
+impl<const D: usize> Contact<D> {
+    /// The tie of two bodies, `None` where they are not tied.
+    ///
+    /// # Errors
+    /// [`Error::BodyOutOfRange`]; [`Error::Untied`] where they were tied on another mesh without deformation, and are not on this one.
+    pub fn tie(&self, bodies: [usize; 2]) -> Result<Option<TieSummary>, Error> {
+        let pair = self.partners.checked_pair(bodies.map(Partner::Body), self.mesh.surface.body_count())?;
+        let [Partner::Body(a), Partner::Body(b)] = pair else { return Ok(None) };
+        let found = self.ties.of([a, b]).transpose()?;
+        Ok(found.map(|tie| TieSummary { area: tie.area, largest_gap: tie.largest_gap, count: tie.rows.len() }))
+    }
+
+    /// Traction and jump of all ties at `coords`, by pair and node.
+    ///
+    /// # Errors
+    /// [`Error::Length`], [`Error::NonFiniteCoordinate`], [`Error::NoStiffness`], [`Error::Untied`].
+    pub fn tie_nodes(&self, coords: &[[f64; D]]) -> Result<Vec<TieNode<D>>, Error> {
+        self.partners.check_stiffness(self.method.options())?;
+        let points = self.mesh.points(coords)?;
+        self.mesh.surface.check_coords(&points, false)?;
+        let mut found = Vec::new();
+        for held in self.ties.all() {
+            let (tie, multipliers) = held?;
+            let at = tie.at(&points, self.stiffness_of_pair(tie.bodies.map(Partner::Body)), multipliers);
+            let [a, b] = tie.bodies;
+            let bodies = if tie.is_second { [b, a] } else { [a, b] };
+            for (row, (jump, traction)) in tie.rows.iter().zip(at.jumps.iter().zip(&at.tractions)) {
+                found.push(TieNode {
+                    node: row.point,
+                    bodies,
+                    area: row.measure,
+                    traction: (-traction).into(),
+                    jump: (*jump).into(),
+                });
+            }
+        }
+        Ok(found)
+    }
+
+    /// Products of the ties' part of the tangent with motions of all rows of `coords`; none without ties.
+    pub(crate) fn held_by_ties(
+        &self,
+        coords: &[[f64; D]],
+        motions: &[Vec<[f64; D]>],
+    ) -> Result<Vec<Vec<[f64; D]>>, Error> {
+        if self.ties.is_empty() {
+            return Ok(Vec::new());
+        }
+        let points = self.mesh.points(coords)?;
+        let stiffness = |pair| self.stiffness_of_pair(pair);
+        let part = Some(TangentPart::Semidefinite);
+        let parts = self.ties.measured(&points, stiffness, (false, part))?;
+        let tangent = Tangent::sum(parts.into_iter().filter_map(|(_, tangent)| tangent).collect());
+        let tangent = match self.mesh.surface.division() {
+            Some(division) => tangent.onto_nodes(division),
+            None => tangent,
+        };
+        Ok(motions.iter().map(|motion| tangent.product(motion)).collect())
+    }
+
+    /// The ties as equations of the nodes, or of a host's unknowns, a row for each of [`Self::tie_nodes`]: for hosts that eliminate, or have
+    /// multipliers of their own.
+    ///
+    /// # Errors
+    /// [`Error::Unsupported`] where a gap is kept, along which a row depends on how facets turn; [`Error::Untied`].
+    pub fn tie_constraints(&self) -> Result<TieConstraints, Error> {
+        let mut found = TieConstraints { row_starts: vec![0], ..TieConstraints::default() };
+        for held in self.ties.all() {
+            let (tie, _) = held?;
+            if tie.largest_gap > 0.0 {
+                return Err(Error::Unsupported { what: "equations of a tie that keeps a gap" });
+            }
+            for row in &tie.rows {
+                let mut sums: BTreeMap<u32, f64> = BTreeMap::new();
+                for &(node, weight) in &row.jump {
+                    let point = tie.nodes[node as usize];
+                    let add =
+                        |(node, share): (u32, f64)| *sums.entry(node).or_default() += weight / row.measure * share;
+                    match self.mesh.surface.division() {
+                        Some(division) => division.map().row(point as usize).for_each(add),
+                        None => std::iter::once((point, 1.0)).for_each(add),
+                    }
+                }
+                found.columns.extend(sums.keys());
+                found.weights.extend(sums.values());
+                found.row_starts.push(found.columns.len());
+            }
+        }
+        Ok(found)
+    }
+}

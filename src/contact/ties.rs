@@ -1,0 +1,7 @@
+//! Bodies that are tied: their ties, found where nothing is deformed, and what holds them beside the stiffness of the pair.
+
+mod held;
+mod results;
+
+pub(super) use held::{Change, Ties};
+pub use results::{TieConstraints, TieNode, TieSummary};

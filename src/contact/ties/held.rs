@@ -1,0 +1,182 @@
+//! The ties of a contact.
+
+use crate::Error;
+use crate::contact::laws::PairEnergy;
+use crate::contact::mesh::Mesh;
+use crate::contact::tangents::{Tangent, TangentPart};
+use crate::geometry::{Vector, Weighting};
+use crate::interfaces::{Curvature, Tie, TieAt};
+use crate::overlap::{Overlap, Partner};
+use std::collections::BTreeMap;
+
+/// Ties by pair of bodies, ascending.
+#[derive(Default)]
+pub(crate) struct Ties<const D: usize>(BTreeMap<[usize; 2], Held<D>>);
+
+struct Held<const D: usize> {
+    reach: f64,
+    /// As the mesh is without deformation; an error is that of every evaluation.
+    tie: Result<Tie<D>, Error>,
+    /// Tractions that need no jump, by row; none at first.
+    multipliers: Vec<Vector<D>>,
+}
+
+/// What ties ask of their multipliers.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Change {
+    /// The largest mean jump.
+    pub(crate) largest: f64,
+    /// Mean of the jumps by the tractions.
+    pub(crate) mean: f64,
+}
+
+impl<const D: usize> Ties<D> {
+    pub(crate) fn is_empty(&self) -> bool {
+        self.0.is_empty()
+    }
+
+    /// Ties two bodies, or releases them with `None`.
+    ///
+    /// # Errors
+    /// Those of [`Tie::new`]; the ties then stay as they are.
+    pub(crate) fn set(
+        &mut self,
+        bodies: [usize; 2],
+        reach: Option<f64>,
+        mesh: &Mesh<D>,
+        weighting: Weighting,
+    ) -> Result<(), Error> {
+        let Some(reach) = reach else {
+            self.0.remove(&bodies);
+            return Ok(());
+        };
+        if self.0.get(&bodies).is_some_and(|held| held.reach == reach && held.tie.is_ok()) {
+            return Ok(());
+        }
+        let tie = found(mesh, weighting, bodies, reach)?;
+        self.0.insert(bodies, Held { reach, tie: Ok(tie), multipliers: Vec::new() });
+        Ok(())
+    }
+
+    /// Finds them anew, on another mesh without deformation.
+    pub(crate) fn find_again(&mut self, mesh: &Mesh<D>, weighting: Weighting) {
+        for (bodies, held) in &mut self.0 {
+            (held.tie, held.multipliers) = (found(mesh, weighting, *bodies, held.reach), Vec::new());
+        }
+    }
+
+    /// All of them, with their multipliers.
+    ///
+    /// # Errors
+    /// Of a tie that is no longer there, since the mesh without deformation has changed.
+    pub(crate) fn all(&self) -> impl Iterator<Item = Result<(&Tie<D>, &[Vector<D>]), Error>> {
+        self.0.values().map(|held| match &held.tie {
+            Ok(tie) => Ok((tie, &held.multipliers[..])),
+            Err(error) => Err(error.clone()),
+        })
+    }
+
+    /// The tie of two bodies.
+    pub(crate) fn of(&self, bodies: [usize; 2]) -> Option<Result<&Tie<D>, Error>> {
+        self.0.get(&bodies).map(|held| held.tie.as_ref().map_err(Error::clone))
+    }
+
+    /// Their energies and tangents at the points of the mesh, as far as they are asked for; by pair.
+    pub(crate) fn measured(
+        &self,
+        points: &[[f64; D]],
+        stiffness: impl Fn([Partner; 2]) -> f64,
+        (energy, part): (bool, Option<TangentPart>),
+    ) -> Result<Vec<(Option<PairEnergy<D>>, Option<Tangent<D>>)>, Error> {
+        let one = |found: Result<(&Tie<D>, &[Vector<D>]), Error>| {
+            let (tie, multipliers) = found?;
+            let at = tie.at(points, stiffness(tie.bodies.map(Partner::Body)), multipliers);
+            let energy = energy.then(|| pair_energy(tie, &at));
+            let tangent = part.map(|part| {
+                let which = if part == TangentPart::Semidefinite { Curvature::Semidefinite } else { Curvature::All };
+                Tangent { blocks: at.curvature(which), rank_one: Vec::new() }
+            });
+            Ok((energy, tangent))
+        };
+        self.all().map(one).collect()
+    }
+
+    /// What multipliers would change at these points, and with `takes` they do: by the stiffness times the mean jump.
+    pub(crate) fn change(
+        &mut self,
+        points: &[[f64; D]],
+        stiffness: impl Fn([Partner; 2]) -> f64,
+        takes: bool,
+    ) -> Result<Change, Error> {
+        let (mut found, mut work, mut force) = (Change::default(), 0.0, 0.0);
+        for held in self.0.values_mut() {
+            let tie = held.tie.as_ref().map_err(Error::clone)?;
+            let at = tie.at(points, stiffness(tie.bodies.map(Partner::Body)), &held.multipliers);
+            for (row, (jump, traction)) in tie.rows.iter().zip(at.jumps.iter().zip(&at.tractions)) {
+                found.largest = found.largest.max(jump.norm());
+                work += row.measure * traction.norm() * jump.norm();
+                force += row.measure * traction.norm();
+            }
+            if takes {
+                held.multipliers = at.tractions;
+            }
+        }
+        found.mean = if force > 0.0 { work / force } else { 0.0 };
+        Ok(found)
+    }
+
+    /// The multipliers of all, to be put back by [`Self::put_back`].
+    pub(crate) fn multipliers(&self) -> BTreeMap<[usize; 2], Vec<Vector<D>>> {
+        self.0.iter().map(|(bodies, held)| (*bodies, held.multipliers.clone())).collect()
+    }
+
+    pub(crate) fn put_back(&mut self, multipliers: BTreeMap<[usize; 2], Vec<Vector<D>>>) {
+        for (bodies, multipliers) in multipliers {
+            if let Some(held) = self.0.get_mut(&bodies) {
+                held.multipliers = multipliers;
+            }
+        }
+    }
+}
+
+fn found<const D: usize>(
+    mesh: &Mesh<D>,
+    weighting: Weighting,
+    bodies: [usize; 2],
+    reach: f64,
+) -> Result<Tie<D>, Error> {
+    let points = mesh.placed(mesh.surface.reference().into());
+    Tie::new(&mesh.surface, &points, weighting, bodies, reach)
+}
+
+fn pair_energy<const D: usize>(tie: &Tie<D>, at: &TieAt<'_, D>) -> PairEnergy<D> {
+    let gradient = at.gradient();
+    let pressed = tie.rows.iter().zip(&at.tractions).map(|(row, traction)| row.measure * traction.norm()).sum::<f64>();
+    let [a, b] = tie.bodies.map(Partner::Body);
+    let overlap = Overlap {
+        a,
+        b,
+        volume: 0.0,
+        standard_error: 0.0,
+        nodes: tie.nodes.clone(),
+        gradient: gradient.clone(),
+        of_b: tie.of_b.clone(),
+        pose_gradient: None,
+        contact_area: tie.area,
+        penetration: 0.0,
+        fiber_count: 0,
+        crossing_count: 0,
+        facet_count: 0,
+        spacing: 0.0,
+        warnings: Vec::new(),
+    };
+    PairEnergy {
+        overlap,
+        energy: at.energy,
+        pressure: pressed / tie.area,
+        nodes: tie.nodes.clone(),
+        gradient,
+        of_b: tie.of_b.clone(),
+        pose_gradient: None,
+    }
+}

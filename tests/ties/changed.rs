@@ -1,0 +1,100 @@
+//! Ties that are made, refused, released, and found again on another mesh without deformation.
+
+use crate::scene::Scene;
+use crate::{K, in_the_plane, tied};
+use fmc_contact::contact::PairOptions;
+use fmc_contact::overlap::Partner::{Body, Obstacle as Rigid};
+use fmc_contact::{EnergyLaw, Error, Obstacle, Options, Pose, Shape};
+use fmc_shapes::rectangle_quad4;
+
+#[test]
+fn what_cannot_be_tied_is_refused_and_changes_nothing() {
+    let scene = &in_the_plane(0.2)[0];
+    let mut contact = scene.contact(Options::new(EnergyLaw::depth(K)));
+    contact.add_obstacle(Obstacle { shape: Shape::HalfSpace, pose: Pose::at([0.0, 0.0]) }).expect("an obstacle");
+    let mut refused = |partners, options| contact.set_pair_options(partners, Some(options)).expect_err("no tie");
+    let apart = refused([Body(0), Body(1)], PairOptions::tied(0.1));
+    assert_eq!(apart, Error::Untied { bodies: [0, 1], reach: 0.1 });
+    assert!(apart.to_string().contains("within 1e-1"), "{apart}");
+    // A tenth of edges of 1/2.
+    assert_eq!(refused([Body(1), Body(0)], PairOptions::tied(0.0)), Error::Untied { bodies: [0, 1], reach: 0.05 });
+    for options in [PairOptions::tied(-0.1), PairOptions::tied(f64::NAN), PairOptions::tied(f64::INFINITY)] {
+        assert!(matches!(refused([Body(0), Body(1)], options), Error::OfPair { .. }));
+    }
+    let offset = PairOptions { gap_offset: -0.1, ..PairOptions::tied(0.3) };
+    for (partners, options) in [
+        ([Body(0), Rigid(0)], PairOptions::tied(0.3)),
+        ([Body(0), Body(0)], PairOptions::tied(0.3)),
+        ([Body(0), Body(1)], offset),
+    ] {
+        assert!(matches!(refused(partners, options), Error::OfPair { .. }));
+    }
+    assert_eq!(contact.tie([0, 1]), Ok(None));
+    assert_eq!(contact.pair_options([Body(0), Body(1)]), Ok(None));
+    assert!(contact.tie_nodes(&scene.coords).expect("no nodes").is_empty());
+}
+
+/// What is tied is in no contact; what is released is again, and all other pairs are as without the tie, to the bit.
+#[test]
+fn a_tie_takes_the_place_of_the_contact() {
+    let below = rectangle_quad4([0.0, 0.0], [1.0, 0.5], [2, 1]);
+    let above = rectangle_quad4([0.0, 0.49], [1.0, 1.0], [3, 1]);
+    let third = rectangle_quad4([0.2, 0.98], [0.8, 1.4], [2, 1]);
+    let scene = Scene::of(&[&below, &above, &third]);
+    let mut contact = scene.contact(Options::new(EnergyLaw::depth(K)));
+    let before = contact.evaluate(&scene.coords).expect("an evaluation");
+    assert_eq!(before.pairs.len(), 2);
+    contact.set_pair_options([Body(0), Body(1)], Some(PairOptions::tied(0.0))).expect("a tie");
+    let tied = contact.evaluate(&scene.coords).expect("an evaluation");
+    assert_eq!(tied.pairs.len(), 2);
+    assert!(tied.pairs[0].energy < 1e-24 && tied.pairs[0].penetration == 0.0);
+    assert_eq!(tied.pairs[1], before.pairs[1]);
+    contact.set_pair_options([Body(0), Body(1)], None).expect("options");
+    assert_eq!(contact.evaluate(&scene.coords).expect("an evaluation"), before);
+    let excluded = PairOptions { excluded: true, ..PairOptions::tied(0.0) };
+    contact.set_pair_options([Body(0), Body(1)], Some(excluded)).expect("options");
+    assert_eq!(contact.evaluate(&scene.coords).expect("an evaluation").pairs.len(), 1);
+}
+
+/// A tie is that of the reference coordinates in force, whatever came first.
+#[test]
+fn the_order_of_calls_does_not_matter() {
+    let scene = &in_the_plane(0.0)[1];
+    let apart: Vec<_> = scene.coords.iter().map(|x| if x[1] > 0.5 { [x[0], x[1] + 0.2] } else { *x }).collect();
+    let wide: Vec<_> = scene.coords.iter().map(|x| [1.5 * x[0], x[1]]).collect();
+    let shifted: Vec<_> = scene.coords.iter().map(|x| [x[0] + 0.01 * x[1], x[1] + 0.02 * x[0] * x[1]]).collect();
+    let mut late = tied(scene, 0.0);
+    late.set_reference(&wide).expect("a reference");
+    let mut early = scene.contact(Options::new(EnergyLaw::depth(K)));
+    early.set_reference(&wide).expect("a reference");
+    early.set_pair_options([Body(0), Body(1)], Some(PairOptions::tied(0.0))).expect("a tie");
+    assert_eq!(early.evaluate(&shifted), late.evaluate(&shifted));
+    assert_eq!(early.tie([0, 1]).expect("bodies").expect("a tie").area, 1.5);
+    // Without the upper body's lower nodes nothing is left of the tie: every evaluation says so.
+    let mut torn = tied(scene, 0.0);
+    let lifted: Vec<_> = (0..)
+        .zip(&apart)
+        .map(|(node, x)| if node >= scene.first_node[1] && x[1] == 0.5 { [x[0], 0.6] } else { *x })
+        .collect();
+    torn.set_reference(&lifted).expect("a reference");
+    assert!(matches!(torn.evaluate(&shifted), Err(Error::Untied { bodies: [0, 1], .. })));
+    assert!(matches!(torn.tie([0, 1]), Err(Error::Untied { .. })));
+    torn.set_reference(&scene.coords).expect("a reference");
+    assert_eq!(torn.evaluate(&shifted), tied(scene, 0.0).evaluate(&shifted));
+    // With axisymmetry lengths are rings.
+    let axisymmetric = Options { axisymmetric: true, ..Options::new(EnergyLaw::depth(K)) };
+    torn.set_options(axisymmetric).expect("options");
+    let mut rings = scene.contact(axisymmetric);
+    rings.set_pair_options([Body(0), Body(1)], Some(PairOptions::tied(0.0))).expect("a tie");
+    assert_eq!(torn.evaluate(&shifted), rings.evaluate(&shifted));
+}
+
+/// A gap within reach is kept or bridged where faces are nearer than the reach, in a wedge only there.
+#[test]
+fn a_wedge_is_tied_as_far_as_it_is_within_reach() {
+    let below = rectangle_quad4([0.0, 0.0], [1.0, 0.5], [4, 1]);
+    let above = rectangle_quad4([0.0, 0.5], [1.0, 1.0], [3, 1]).mapped(|[x, y]| [x, y + 0.1 * x * (1.0 - y) / 0.5]);
+    let scene = Scene::of(&[&below, &above]);
+    let tie = tied(&scene, 0.04).tie([0, 1]).expect("bodies").expect("a tie");
+    assert!((tie.area - 0.4).abs() < 0.4 * 0.01 && (0.035..0.04).contains(&tie.largest_gap), "{tie:?}");
+}
