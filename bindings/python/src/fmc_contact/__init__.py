@@ -4,7 +4,7 @@ Node coordinates and connectivity go in, nodal contact forces and the overlap vo
 one call or by a ``Contact`` that is kept. Forces push bodies apart. Units are the caller's: with m and Pa, forces are N
 (2D: N/m).
 
-    search  ->  contact_force, PartitionedContact  ->  Contact
+    search  ->  contact_force, OnUnknowns, PartitionedContact  ->  Contact
             ->  its parts: mesh, obstacles, pairs, friction, multipliers, patches, pattern, ranks
             ->  creation, _core, options; results: result, fields, boundary, gaps, points, tangent
             ->  _handle, _arrays  ->  _library  ->  _signatures, _structs  ->  errors
@@ -21,6 +21,7 @@ from .fields import ContactPoints, NodalContact
 from .gaps import GapConstraints
 from .mesh import Adjustment
 from .multipliers import MULTIPLIER, Augmentation
+from .on_unknowns import OnUnknowns
 from .options import Options, OtherOptions
 from .partition import CARRIED_SLIP, GatheredCounts, PartitionedContact
 from .points import PointWeights
@@ -78,6 +79,7 @@ __all__ = [
     "NoSupportError",
     "NodalContact",
     "NotConvergedError",
+    "OnUnknowns",
     "Options",
     "OtherOptions",
     "Pair",

@@ -25,7 +25,7 @@ MOST_KEPT = 5000
 
 
 class Unknowns:
-    """Which unknown moves which degree of freedom of the contact."""
+    """Which unknown moves which degree of freedom of the contact; -1: none."""
 
     def __init__(self, contact: Any, size: int) -> None:
         self.contact = contact
@@ -39,8 +39,11 @@ class Unknowns:
             alone = np.ravel(contact.on_dofs(np.ones(shape)))
             (reached,) = np.nonzero(number)
             freedom = number[reached].astype(np.int64) - 1
-            if not (np.array_equal(alone[reached], np.ones(count)) and np.array_equal(np.sort(freedom), self.of_freedom)):
+            # A node may have none and stay. With a basis the first rows are no nodes: what they would be condensed to is not known.
+            is_whole = len(freedom) == count or self.inner.unknown_count == self.inner.node_count
+            if not (is_whole and np.array_equal(alone[reached], np.ones(len(freedom))) and len(np.unique(freedom)) == len(freedom)):
                 raise ValueError("two levels need a contact of which every degree of freedom is moved by one unknown, alone")
+            self.of_freedom = np.full(count, -1)
             self.of_freedom[freedom] = reached
         if (count and int(self.of_freedom.max()) >= size) or (contact is self.inner and count != size):
             raise ValueError(f"x has {size} entries, the contact {count} degrees of freedom")
@@ -48,6 +51,11 @@ class Unknowns:
     def coords(self, x: np.ndarray) -> np.ndarray:
         """Coordinates that the contact is shown."""
         return x.reshape(-1, self.inner.dim) if self.contact is self.inner else self.contact.coords(x)
+
+    def at_freedoms(self, values: np.ndarray) -> np.ndarray:
+        """What unknowns have, or marks, at the degrees of freedom of the contact: nothing where none moves them."""
+        found: np.ndarray = values[self.of_freedom] * (self.of_freedom >= 0)
+        return found
 
     def near(self, x: np.ndarray, reach: float) -> list[np.ndarray]:
         """Degrees of freedom of the contact that move nodes whose mean gap is less than a reach, and what they are near: node by node,
@@ -78,7 +86,8 @@ class Condensed:
         self.unknowns, self.by = Unknowns(contact, size), by or chosen()
         self.free = np.zeros(size, bool)
         self.free[free] = True
-        (self.held,) = np.nonzero(~self.free[self.unknowns.of_freedom])
+        self.free_freedoms = self.unknowns.at_freedoms(self.free)
+        (self.held,) = np.nonzero(~self.free_freedoms)
         self.dofs = np.zeros(0, np.int64)
         self.matrix: Any = None
         self.factorisations = 0
@@ -90,7 +99,7 @@ class Condensed:
 
     def knows(self, matrix: Any) -> bool:
         """Whether there are factors of this matrix."""
-        return self.matrix is not None and _same(self.matrix, matrix)
+        return self.matrix is not None and same_entries(self.matrix, matrix)
 
     @property
     def is_definite(self) -> bool:
@@ -117,20 +126,20 @@ class Condensed:
         anything moves, the nearest first. Factors without them would serve for one step."""
         if len(self.dofs) or not moved.any():
             return
-        way = np.linalg.norm(moved[self.unknowns.of_freedom].reshape(-1, self.unknowns.inner.dim), axis=1).max()
+        way = np.linalg.norm(self.unknowns.at_freedoms(moved).reshape(-1, self.unknowns.inner.dim), axis=1).max()
         try:
             near = self.unknowns.near(x, float(way))
         except FmcError:
             return
         found: set[int] = set()
         for freedoms in near:
-            found.update(freedoms[self.free[self.unknowns.of_freedom[freedoms]]].tolist())
+            found.update(freedoms[self.free_freedoms[freedoms]].tolist())
             if len(found) >= MOST_EXPECTED:
                 break
         self._add(np.array(sorted(found), np.int64))
 
     def _add(self, found: np.ndarray) -> bool:
-        found = found[self.free[self.unknowns.of_freedom[found]]]
+        found = found[self.free_freedoms[found]]
         before = len(self.dofs)
         self.dofs = np.union1d(self.dofs, found)
         if len(self.dofs) > before:
@@ -210,7 +219,7 @@ class Condensed:
         self.matrix = matrix
 
 
-def _same(one: Any, other: Any) -> bool:
+def same_entries(one: Any, other: Any) -> bool:
     """Whether two matrices have the same entries."""
     if one is other:
         return True
