@@ -1,6 +1,6 @@
 """The library's search for an equilibrium, with the matrices and solvers of Python.
 
-    find, check  ->  requests  ->  bodies, unknowns, start  ->  together, linear, condensed  ->  host, outcome
+    find, check  ->  requests  ->  bodies, unknowns, start  ->  together, linear, condensed  ->  host, likely, outcome
 """
 
 from .bodies import TANGENTS

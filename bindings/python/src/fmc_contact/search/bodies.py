@@ -6,9 +6,11 @@ from typing import Any, Callable, Optional, Union, cast
 
 import numpy as np
 
-from ..condensed import Condensed
+from ..condensed import Condensed, same_entries
+from ..contact import Contact
 from ..errors import FmcError, IndefiniteStiffnessError, InvertedCellError, SingularStiffnessError
 from .host import Host, Refused
+from .likely import refuse_components, refuse_part
 from .linear import factors, shifted, summed
 
 _FAILURES = (RuntimeError, np.linalg.LinAlgError, SingularStiffnessError, IndefiniteStiffnessError, InvertedCellError)
@@ -45,12 +47,21 @@ class Bodies(Host):
             except FmcError as error:
                 raise Refused(str(error)) from error
         residual, derivative, *rest = self._last[1]
-        if matrix and derivative is not self.matrix:
-            self.matrix, self._factors = derivative, (None, None)
         residual = np.ascontiguousarray(np.ravel(residual), np.float64)
         if residual.shape != (self.size,):
             raise ValueError(f"the residual has {residual.size} entries, x has {self.size}")
+        if matrix:
+            self._take(derivative)
         return residual, float(rest[0]) if rest else None
+
+    def _take(self, derivative: Any) -> None:
+        """Keeps a copy: many hosts assemble into the same memory again, and factors have to be known as those of another matrix then."""
+        refuse_part(derivative, self.size)
+        if self.matrix is None and isinstance(self.contact, Contact):
+            refuse_components(derivative, self.contact.dim)
+        rows = derivative if isinstance(derivative, np.ndarray) or hasattr(derivative, "indptr") else derivative.tocsr()
+        if self.matrix is None or not same_entries(self.matrix, rows):
+            self.matrix, self._factors = rows.copy(), (None, None)
 
     def product(self, vector: np.ndarray, magnitudes: bool) -> np.ndarray:
         found: np.ndarray = (abs(self.matrix) if magnitudes else self.matrix) @ vector

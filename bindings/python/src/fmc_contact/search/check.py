@@ -8,6 +8,7 @@ from numpy.typing import ArrayLike
 
 from .bodies import Residual, bodies_of
 from .host import Host
+from .likely import refuse_displacements
 from .outcome import NotConvergedError
 from .requests import Search
 from .start import start
@@ -39,6 +40,8 @@ def check_host(residual_and_tangent: Union[Residual, Host], contact: Any, x: Arr
     ------
     NotConvergedError
         If the residual cannot be evaluated, or is not finite.
+    ValueError
+        For shapes, and for a matrix in the order of components.
 
     Examples
     --------
@@ -48,6 +51,7 @@ def check_host(residual_and_tangent: Union[Residual, Host], contact: Any, x: Arr
     ['symmetry: the matrix is symmetric']
     """
     begin, solved_for = start(x, free)
+    refuse_displacements(contact, begin)
     bodies = bodies_of(residual_and_tangent, contact, begin.shape, solved_for, None)
     search = Search(bodies, Moved(contact, begin.size), begin, solved_for, None, {"check": 1}, None)
     search.run()

@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike
 from .._arrays import floats
 from .bodies import Bodies, CondensedSteps, Residual, Solve, bodies_of, condensed_of
 from .host import Host
+from .likely import refuse_displacements, unconnected
 from .outcome import Equilibrium, NoSupportError, NotConvergedError
 from .requests import Search
 from .start import start
@@ -49,7 +50,7 @@ def find_equilibrium(
         strain energy minus the work of loads. For coordinates the degree of freedom is ``node * dim + axis``. Or a ``Host`` of
         ``fmc_contact.search``, which answers by itself.
     contact : Contact or adapter
-        A ``Contact``, for which ``x`` are coordinates, (n, dim). Or an adapter such as ``SkfemContact``, for which ``x`` is a
+        A ``Contact``, for which ``x`` are coordinates, (n, dim). Or an adapter such as ``OnUnknowns``, for which ``x`` is a
         displacement, (size,): an object with ``contact``, ``coords``, ``evaluate``, ``on_dofs`` and ``tangent``, which takes ``semidefinite``
         and ``symmetric``. Every coordinate of the contact is moved by one unknown.
     x : array_like
@@ -98,7 +99,7 @@ def find_equilibrium(
     NotConvergedError
         If no equilibrium was found. Friction and multipliers of the contact are then what they were before.
     ValueError
-        For shapes, and for arguments that exclude one another.
+        For shapes, for arguments that exclude one another, and for a matrix in the order of components, which is that of no ``Contact``.
 
     Examples
     --------
@@ -111,6 +112,7 @@ def find_equilibrium(
     True
     """
     begin, solved_for = start(x, free)
+    refuse_displacements(contact, begin)
     bodies = bodies_of(residual_and_tangent, contact, begin.shape, solved_for, solve)
     unknowns = Moved(contact, begin.size)
     end = None if prescribed is None else floats(prescribed, "prescribed", begin.shape).ravel().astype(np.float64)
@@ -129,7 +131,7 @@ def find_equilibrium(
     search = Search(bodies, unknowns, begin, solved_for, end, options, steps)
     search.run()
     unknowns.inner._core.renew_options()
-    return _ended(search, contact, begin.shape)
+    return _ended(search, contact, begin, end)
 
 
 def _condensed(bodies: Host, wanted: Optional[bool]) -> Optional[CondensedSteps]:
@@ -150,20 +152,26 @@ def _condensed(bodies: Host, wanted: Optional[bool]) -> Optional[CondensedSteps]
         return None
 
 
-def _ended(search: Search, contact: Any, shape: tuple[int, ...]) -> Equilibrium:
+def _ended(search: Search, contact: Any, begin: np.ndarray, end: Optional[np.ndarray]) -> Equilibrium:
     result, way, texts = search.ended()
     bodies, steps = search.bodies, search.steps
     residuals = search.array_of(result.residuals, result.residual_count).tolist()
     if way == "none":
         text = f"no equilibrium after {result.solve_count} linear solves: {texts[0]}"
         if not result.unheld:
+            text = "; ".join([text, *_wrong(search, begin)])
             raise NotConvergedError(text, residuals or [float("nan")], result.solve_count)
         error = NoSupportError(text, residuals or [float("nan")], result.solve_count)
         error.body, error.is_rotation = result.unheld_body, not any(result.unheld_direction)
         inner = getattr(contact, "contact", contact)
         error.direction = np.array(result.unheld_direction[: inner.dim])
         raise error
+    shape = begin.shape
     x = search.array_of(result.x, search.size).reshape(shape)
+    if isinstance(bodies, Bodies) and end is not None and bodies.matrix is not None:
+        moved = end - begin.ravel()
+        moved[search.solved_for] = 0.0
+        texts = texts + unconnected(bodies.matrix, moved)
     return Equilibrium(
         x,
         result.solve_count,
@@ -179,3 +187,17 @@ def _ended(search: Search, contact: Any, shape: tuple[int, ...]) -> Equilibrium:
         result.penetration if result.penetration >= 0 else None,
         texts,
     )
+
+
+def _wrong(search: Search, begin: np.ndarray) -> list[str]:
+    """What ``check_host`` finds to be wrong where the load step begins."""
+    if not isinstance(search.bodies, Bodies):
+        return []
+    check = Search(search.bodies, search.unknowns, begin, search.solved_for, None, {"check": 1}, None)
+    try:
+        check.run()
+    except Exception:
+        # A host that fails at the states of the check: that there is no equilibrium is what its user has to know.
+        return []
+    # A check that is refused is one sentence of all that was found until then.
+    return [text for one in check.ended()[2] for text in one.split("; ") if "WRONG" in text]

@@ -51,7 +51,7 @@ class Search:
         options: dict[str, Any],
         steps: Optional[CondensedSteps],
     ) -> None:
-        self.bodies, self.steps, self.size = bodies, steps, unknowns.size
+        self.bodies, self.unknowns, self.solved_for, self.steps, self.size = bodies, unknowns, solved_for, steps, unknowns.size
         self.handle = unknowns.inner._core.handle
         base = np.ascontiguousarray(unknowns.coords(np.zeros(self.size)), np.float64)
         first = unknowns.inner.options["index_base"]
