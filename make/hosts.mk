@@ -3,6 +3,7 @@
 # make hosts     the adapters for scikit-fem, FEniCSx, GetFEM and PETSc, and their tests, against the reference host too
 # make agree     the cases in all hosts, deal.II too, side by side: table and pictures in out/agree
 # make large     two blocks of a million unknowns by multigrid, in PETSc: iterations in out/large; hours
+# make press     the same press in eight hosts that pip installs, some 1.5 GB: tests, and a table in out/press
 # make getfem    Hertz and a punch in GetFEM beside the reference host, and beside GetFEM's own contact in the same run
 
 # dolfinx and GetFEM are for the system's own Python, and scikit-fem has to use that one's numpy: a second one beside it would not
@@ -61,3 +62,16 @@ agree: dealii-program
 	$(RUN_HOSTS) FMC_DEALII=$(DEALII)/press $(HOSTS)/bin/python -m fmc_agreement out/agree
 	$(RUN_HOSTS) $(HOSTS)/bin/python -m fmc_agreement.penetration out/agree
 	$(RUN_HOSTS) $(HOSTS)/bin/python -m fmc_agreement.beside out/agree
+
+# Each by itself: one that cannot be had leaves the others. SfePy is compiled, for some minutes; OpenSees loads the system's BLAS.
+PRESS = $(abspath $(TARGET))/press
+PRESS_PACKAGES = akantu felupe KratosMultiphysics KratosStructuralMechanicsApplication mfem ngsolve openseespy sfepy
+
+press:
+	@$(call ENVIRONMENT,$(PRESS))
+	$(PRESS)/bin/python -m pip install -q ./bindings/python ./hosts/skfem scipy pytest
+	@for package in $(PRESS_PACKAGES); do $(PRESS)/bin/python -m pip install -q $$package || echo "left out: $$package" >&2; done
+	@ldconfig -p | grep -q 'libblas\.so\.3' || { $(SUDO) apt-get update -q && $(SUDO) apt-get install -q -y --no-install-recommends libblas3; }
+	$(SUITE_OF) "hosts from pip" $(PRESS)/bin/python -m pytest -q -rs -p no:cacheprovider benchmarks/press
+	$(PRESS)/bin/python benchmarks/press/table.py out/press >$(TARGET)/said-press
+	@cat out/press/table.md $(TARGET)/said-press
