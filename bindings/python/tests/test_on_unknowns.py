@@ -82,6 +82,15 @@ def test_forces_and_tangent_are_brought_into_the_order_of_the_host():
         assert same_bits(tangent.toarray()[np.ix_(to, to)], below.tangent(x, **options).toarray())
 
 
+@pytest.mark.parametrize("two_level", [True, False])
+def test_nodes_may_be_counted_from_one(two_level):
+    below = Contact(COORDS, np.array(SQUARES) + 1, "quad", stiffness=K, index_base=1)
+    on_host = OnUnknowns(below, COORDS, SHUFFLED)
+    matrix, free, push = in_order_of(SHUFFLED, 16)
+    found = find_equilibrium(lambda u: (matrix @ u, matrix), on_host, np.zeros(16), free, push, two_level=two_level)
+    assert np.abs(on_host.coords(found.x) - by_contact(two_level=two_level).x).max() < 1e-13
+
+
 def test_a_host_is_checked_in_its_own_order():
     on_host = OnUnknowns(contact(), COORDS, BY_COMPONENTS)
     matrix, free, _ = in_order_of(BY_COMPONENTS, 16)
