@@ -2,6 +2,7 @@
 #
 # make python    the Python package, in an environment of its own under target/, and its tests
 # make python-lint   ruff over all Python, mypy --strict on the package, plain English on the pages
+# make support   docs/support.md: what the library answers for every law and feature
 # make examples  NGSolve and FElupe with contact, and the notebook, in an environment of their own
 
 PYTHON ?= python3
@@ -16,6 +17,11 @@ python:
 	@$(call ENVIRONMENT,$(VENV))
 	$(VENV)/bin/python -m pip install -q ./bindings/python pytest scipy
 	$(SUITE_OF) "Python package" $(VENV)/bin/python -m pytest -q bindings/python
+
+support:
+	@$(call ENVIRONMENT,$(VENV))
+	$(VENV)/bin/python -m pip install -q ./bindings/python pytest scipy
+	cd bindings/python/tests && $(abspath $(VENV))/bin/python support_matrix.py write
 
 # Lower bounds, so that newer releases are taken; numpy brings types of its own.
 LINT = $(TARGET)/lint
