@@ -140,3 +140,25 @@ fn every_function_of_the_header_is_fuzzed() {
     let missing: Vec<_> = header.iter().filter(|name| !calls.contains(&format!("{name}("))).collect();
     assert!(missing.is_empty(), "{missing:?}");
 }
+
+/// A page that names a function, a status or a constant names one that there is: of the C interface, or a package.
+#[test]
+fn pages_name_what_the_interface_has() {
+    let header = fs::read_to_string(root().join("include/fmc_contact.h")).expect("the header");
+    let header = header + &fs::read_to_string(root().join("include/fmc_mpi.h")).expect("the header for MPI");
+    let words = |text: &str| -> BTreeSet<String> {
+        let words = text.split(|c: char| !c.is_ascii_alphanumeric() && c != '_');
+        words.filter(|word| word.starts_with("fmc_") || word.starts_with("FMC_")).map(str::to_owned).collect()
+    };
+    let mut known = words(&header);
+    let packages = ["fmc_contact_c", "fmc_contact_skfem", "fmc_contact_dolfinx", "fmc_contact_getfem", "fmc_agreement"];
+    known.extend([&packages[..], &["FMC_CONTACT_LIBRARY"]].concat().into_iter().map(str::to_owned));
+    let pages = in_docs().into_iter().chain([root().join("README.md"), root().join("bindings/python/README.md")]);
+    for page in pages {
+        let text = fs::read_to_string(&page).expect("a page");
+        // A name that ends in a bar is the beginning of several.
+        let unknown: Vec<String> =
+            words(&text).into_iter().filter(|word| !word.ends_with('_') && !known.contains(word)).collect();
+        assert!(unknown.is_empty(), "{}: {unknown:?}", page.display());
+    }
+}

@@ -8,7 +8,7 @@ use std::path::Path;
 use std::process::Command;
 
 /// Pieces in C and C++ on the pages of the book, and who runs them. Those of first-contact.md are tested by `readme.rs`.
-const KNOWN: [(&str, usize); 3] = [("abi.md", 1), ("first-contact.md", 2), ("host-guide.md", 2)];
+const KNOWN: [(&str, usize); 4] = [("abi.md", 1), ("first-contact.md", 2), ("host-guide.md", 2), ("tutorial-c.md", 1)];
 
 fn pieces(page: &str) -> Vec<String> {
     let text = fs::read_to_string(root().join("docs").join(page)).expect("a page");
@@ -60,6 +60,17 @@ fn with_floor(parts: &str) -> String {
     let bring = "fmc_context_set_coords(";
     assert_eq!(parts.matches(bring).count(), 1);
     parts.replace(bring, &format!("fmc_context_add_obstacle(context, &half_space, &floor, NULL);\n{bring}"))
+}
+
+#[test]
+fn newton_of_the_tutorial() {
+    let folder = scratch("page-newton");
+    let [program] = <[String; 1]>::try_from(pieces("tutorial-c.md")).expect("a piece");
+    fs::write(folder.join("newton.c"), program).expect("a writable folder");
+    let printed = printed(&folder.join("newton.c"), &folder);
+    // Two springs and the contact in a row; the pressure falls off at the corners.
+    assert!(printed.contains("iteration 4, ") && !printed.contains("iteration 5, "), "{printed}");
+    assert!(printed.ends_with("force on the right square 47.6285\n"), "{printed}");
 }
 
 #[test]

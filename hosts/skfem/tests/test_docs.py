@@ -1,4 +1,4 @@
-"""What docs/second-order.md shows of scikit-fem runs after the lines that a reader has to have already; docs/starts.md as it stands."""
+"""What docs/second-order.md shows of scikit-fem runs after the lines that a reader has to have already; other pages as they stand."""
 
 import re
 import subprocess
@@ -42,3 +42,14 @@ def test_problems_that_start_by_themselves():
     # Facets of a circle of 96: the overlap of their middles is by 5e-4 smaller or larger than 0.002.
     assert abs(float(removed) - 0.002) < 1e-4
     assert abs(float(pressure) / 515 - 1) < 0.03
+
+
+def test_hertz():
+    page = PAGE.with_name("tutorial-hertz.md")
+    (program,) = re.findall(r"```python\n(.*?)```", page.read_text(), flags=re.S)
+    run = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, timeout=100)
+    assert run.returncode == 0, run.stderr
+    solves, force, half_width, largest, difference = (float(number) for number in re.findall(r"\d+\.?\d*(?:e-?\d+)?", run.stdout.replace("p0", "")))
+    # The figures of the table.
+    assert solves == 2 and abs(force - 0.004282) < 1e-6 and abs(half_width / 0.005 - 14.1) < 0.05
+    assert abs(largest - 1.010) < 1e-3 and abs(difference - 0.010) < 1e-3
