@@ -386,7 +386,7 @@ class Obstacles:
         return self.add(Shape("height_field", heights=heights, lengths=lengths, thickness=thickness), pose)
 
     def add_compound(self, parts: Sequence[Part], pose: Placement = None) -> int:
-        """Adds a union of shapes of any kind, which may overlap. Only the estimator ``"fibers"`` supports it.
+        """Adds a union of shapes of any kind, which may overlap. The estimator ``"exact"`` supports it with the law ``"depth"`` only.
 
         Its signed distance is the least signed distance of its parts.
 
@@ -421,7 +421,7 @@ class Obstacles:
         return self.add(Shape("compound", parts=parts), pose)
 
     def add_signed_distance(self, function: SignedDistance, pose: Placement = None) -> int:
-        """Adds a body given by its signed distance. Only the estimator ``"fibers"`` supports it.
+        """Adds a body given by its signed distance. The estimator ``"exact"`` supports it with the law ``"depth"`` only.
 
         Parameters
         ----------

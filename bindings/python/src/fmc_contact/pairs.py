@@ -85,8 +85,9 @@ class Pairs:
             Distance (length) at which contact begins. Penetration, gap and pressure are counted from there. The surface of an
             obstacle is taken to lie so much further out, as with a shell's thickness or a coating. A negative offset is a
             clearance. Half-spaces, balls and capsules keep their shape, and so do cylinders with a clearance. Any other shape
-            becomes its signed distance minus the offset, with rounded edges, and needs the estimator ``"fibers"``. Between
-            bodies the law must be ``"depth"`` and the offset not positive: each body may enter by ``-gap_offset`` before it presses.
+            becomes its signed distance minus the offset, with rounded edges; the estimator ``"exact"`` then supports the law
+            ``"depth"`` only. Between bodies the law must be ``"depth"`` and the offset not positive: each body may enter by
+            ``-gap_offset`` before it presses.
         excluded : bool
             Whether the pair is not evaluated at all.
         interface : str
