@@ -170,6 +170,31 @@ GROUPS = {
     ],
 }
 
+PAIRED = [
+    Feature("second-order cells", kinds=("quad9",)),
+    Feature("hanging nodes", {"hanging": True}),
+    Feature("mesh in parts", {"parts": True}),
+    Feature("self-contact", {"self_contact": True}),
+    Feature("axisymmetry", {"axisymmetric": True}),
+    Feature("friction", RUBBED, begun),
+    Feature("smoothed round surfaces", {"wavy": True}, smoothed),
+    Feature("a separate basis", setup=with_basis),
+    Feature("planes of symmetry", setup=symmetric),
+    Feature("clearance between bodies", setup=of_pair(1, gap_offset=-0.01)),
+    Feature("`adjust` of gaps", setup=adjusted),
+    Feature("half-space", setup=obstacle("half-space")),
+    Feature("ball", setup=obstacle("ball"), is_curved=True),
+]
+"""Features of which every two are asked together, in 2D."""
+
+
+def both(one, other):
+    """Two features as one. Friction begins where everything else is set."""
+    first, then = (other, one) if one.name == "friction" else (one, other)
+    scene = {**first.scene, **then.scene}
+    kinds = first.kinds or then.kinds
+    return Feature("", scene, together(first.setup, then.setup), (2,), kinds, is_curved=first.is_curved or then.is_curved)
+
 
 def rotations(scene):
     obstacle("half-space")(scene)

@@ -6,12 +6,13 @@ tangent is their derivative; otherwise it is the status with which the library r
 
 import sys
 from functools import lru_cache
+from itertools import combinations
 from pathlib import Path
 
 import numpy as np
 from fmc_contact import FmcError
 from fmc_contact._constants import FMC_STATUS
-from support_features import ASKED, GROUPS
+from support_features import ASKED, GROUPS, PAIRED, both
 from support_scene import Scene
 
 PAGE = Path(__file__).parents[3] / "docs" / "support.md"
@@ -29,6 +30,10 @@ LAWS = {
 
 class Refused(Exception):
     """A status of the library, and its text."""
+
+
+class Unbalanced(Exception):
+    """Forces of two sides that differ, of which no warning tells."""
 
 
 def refusing(call, *arguments):
@@ -49,7 +54,8 @@ def forces(scene, law):
     size = np.abs(parts).max()
     assert size > 0.1, "no forces"
     axes = slice(1, None) if contact.options["axisymmetric"] or scene.is_cut else slice(None)
-    assert np.abs(parts.sum(0)[axes]).max() < 1e-5 * size, parts
+    if np.abs(parts.sum(0)[axes]).max() > 1e-5 * size and not any(one.kind == "unbalanced" for one in result.warnings):
+        raise Unbalanced
     return result
 
 
@@ -80,6 +86,8 @@ def answer(feature, law, dim, kind):
                 return "no effect"
     except Refused as refusal:
         return f"no {refusal}"
+    except Unbalanced:
+        return "unbalanced"
     given = sorted({warning.kind for warning in result.warnings})
     told = "".join(f" `FMC_WARNING_{kind.upper()}`" for kind in given)
     try:
@@ -148,6 +156,9 @@ def tables():
         lines = [f"| {group.lower()} | {' | '.join(LAWS)} |", "| --- |" + " --- |" * len(LAWS)]
         lines += [f"| {name} | {' | '.join(notes.cell(ask(law)) for law in LAWS.values())} |" for name, ask in rows]
         found[group] = "\n".join(lines) + "\n"
+    pairs = [(one, other, of_feature(both(one, other), LAWS["`depth`"])) for one, other in combinations(PAIRED, 2)]
+    rows = [f"| {one.name} | {other.name} | {notes.cell(found)} |" for one, other, found in pairs if found != {2: "yes"}]
+    found["Pairs"] = "\n".join(["| feature | with | answer |", "| --- | --- | --- |", *rows]) + "\n"
     found["Notes"] = "".join(f"{number}. {text}\n" for number, text in enumerate(notes.texts, 1))
     return found
 
