@@ -27,7 +27,7 @@ pub(crate) mod plane;
 mod point_weights;
 mod pose;
 pub(crate) mod quadrature;
-mod sags;
+pub(crate) mod sags;
 pub(crate) mod second_order;
 pub(crate) mod shapes;
 pub(crate) mod simplex;

@@ -32,7 +32,7 @@ pub use pair::partner::Partner;
 pub(crate) use pair::second_derivative::SecondDerivative;
 pub(crate) use pair::sides::{Counterpart, ImplicitSide, Pair};
 pub(crate) use pair::surface_point::SurfacePoint;
-pub use pair::warning::Warning;
+pub use pair::warning::{Smoothing, Warning};
 pub use sums::block_sum::Block;
 pub(crate) use sums::block_sum::{BlockSum, merged};
 pub(crate) use sums::node_sums::NodeSums;

@@ -104,6 +104,11 @@ impl<const D: usize> Mesh<D> {
         self.feature_angle.is_some() || !self.surface.curved().is_empty()
     }
 
+    /// Whether straight faces are to stand for a smooth surface.
+    pub(crate) fn is_smoothed(&self) -> bool {
+        self.feature_angle.is_some()
+    }
+
     /// Has depths found again, for another weighting.
     pub(crate) fn forget_depth(&mut self) {
         self.depth = OnceLock::new();

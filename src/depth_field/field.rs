@@ -36,6 +36,8 @@ pub(crate) struct DepthField<const D: usize> {
     sags: Vec<f64>,
     /// Faces that are known to be curved, if there are some.
     curves: Option<Curves<D>>,
+    /// Whether straight faces stand for a smooth surface.
+    is_smoothed: bool,
 }
 
 /// In the order of their numbers.
@@ -99,7 +101,8 @@ impl<const D: usize> DepthField<D> {
         let is_surface_told = symmetry.is_some();
         let sags = surface.sags(facet_is_surface);
         let curves = Curves::new(surface, cells, (&divisions, &division_of), (facet_is_surface, feature_angle));
-        Some(Self { nodes, anchors, divisions, division_of, connected, is_surface_told, sags, curves })
+        let is_smoothed = feature_angle.is_some();
+        Some(Self { nodes, anchors, divisions, division_of, connected, is_surface_told, sags, curves, is_smoothed })
     }
 
     /// The point of the surface that is nearest to a node below it without deformation, as nodes and their weights; `None`
@@ -126,6 +129,11 @@ impl<const D: usize> DepthField<D> {
     /// Whether it was said which faces are no surface.
     pub(crate) fn is_surface_told(&self) -> bool {
         self.is_surface_told
+    }
+
+    /// Whether straight faces that meet at less than some angle stand for a smooth surface.
+    pub(crate) fn is_smoothed(&self) -> bool {
+        self.is_smoothed
     }
 
     /// How far the round surface that a facet stands for lies beside it, by facet of all bodies.

@@ -20,7 +20,7 @@ fn sector<const D: usize>(mut mesh: Mesh<D>) -> Mesh<D> {
 
 fn told<const D: usize>(found: &ContactForces<D>) -> Option<[f64; 2]> {
     found.warnings.iter().find_map(|warning| match warning {
-        &Warning::CurvedFaces { a: Partner::Body(0), b: Partner::Body(1), sag, penetration } => {
+        &Warning::CurvedFaces { a: Partner::Body(0), b: Partner::Body(1), sag, penetration, .. } => {
             Some([sag, penetration])
         }
         _ => None,

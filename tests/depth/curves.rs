@@ -88,7 +88,7 @@ fn derivatives_in_space() {
 }
 
 /// A ring all around, in cells of second order or straight ones.
-fn ring(from: f64, to: f64, cells: [usize; 2], nodes: usize, turn: f64) -> Mesh<2> {
+pub(crate) fn ring(from: f64, to: f64, cells: [usize; 2], nodes: usize, turn: f64) -> Mesh<2> {
     let straight = rectangle_quad4([0.0, from], [1.0, to], cells);
     let mesh = if nodes == 4 { straight } else { second_order(&straight, nodes) };
     let mut mesh = sector(mesh, TAU);

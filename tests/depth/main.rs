@@ -5,6 +5,7 @@ mod scene;
 
 mod clearance;
 mod coarse;
+mod coarse_faces;
 mod corners;
 mod curved;
 mod curves;

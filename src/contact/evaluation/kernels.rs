@@ -8,7 +8,7 @@ use crate::contact::explicit::largest_step;
 use crate::contact::friction::{SlipFacets, Tractions};
 use crate::contact::laws::{Answer, Asked, PairEnergy};
 use crate::contact::results::{
-    ContactForces, GapConstraints, NodalContact, OntoNodes, PointOfContact, add_rotation, points_of_contact,
+    ContactForces, GapConstraints, NodalContact, OntoNodes, PairForces, PointOfContact, add_rotation, points_of_contact,
 };
 use crate::contact::tangents::{Tangent, TangentPart};
 use crate::dimension::{recast, rows};
@@ -205,7 +205,19 @@ fn forces_of<const D: usize>(
         area: found.area,
         nodes: found.nodes.iter().map(|&node| node as usize).collect(),
     }));
+    forces.warnings.extend(unused_smoothing(contact, &forces.pairs));
     Ok(if contact.method.options().axisymmetric { forces.without_moments() } else { forces })
+}
+
+/// Pairs of two bodies for which the smoothing of surfaces is set, and whose law does not read it.
+fn unused_smoothing<const D: usize>(contact: &Contact<D>, pairs: &[PairForces]) -> Vec<Warning> {
+    let (Contact { mesh, partners, method, .. }, mut found) = (contact, Vec::new());
+    for &PairForces { a, b, .. } in pairs.iter().filter(|_| mesh.is_smoothed()) {
+        if a != b && matches!(b, Partner::Body(_)) && !partners.law_of(&[a, b], method).needs_depth() {
+            found.push(Warning::UnusedSmoothing { a, b });
+        }
+    }
+    found
 }
 
 fn tangent_in<const D: usize>(

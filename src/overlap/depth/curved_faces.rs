@@ -4,7 +4,7 @@ use super::integral::FacetDepth;
 use crate::depth_field::Curves;
 use crate::overlap::pair::partner::Partner;
 use crate::overlap::pair::sides::Pair;
-use crate::overlap::pair::warning::Warning;
+use crate::overlap::pair::warning::{Smoothing, Warning};
 
 /// A warning where the facets in contact lie farther beside the surfaces that they stand for than the penetration, both as means over the
 /// area of contact: where such faces conform, their facets touch by waves, with pressures that are wrong by factors. A surface that
@@ -31,5 +31,15 @@ pub(crate) fn curved_faces<const D: usize>(
     }
     let sag: f64 = of_side.iter().filter(|[_, area]| *area > 0.0).map(|[sum, area]| sum / area).sum();
     let [a, b] = pair.partners;
-    (sag * area > depth).then(|| Warning::CurvedFaces { a, b, sag, penetration: depth / area })
+    let remedy = match (a, b) {
+        (Partner::Body(_), Partner::Body(_)) if !pair.is_own() => {
+            if pair.depth?.is_smoothed() {
+                Smoothing::AngleTooSmall
+            } else {
+                Smoothing::NotSet
+            }
+        }
+        _ => Smoothing::NotForSuchPairs,
+    };
+    (sag * area > depth).then(|| Warning::CurvedFaces { a, b, sag, penetration: depth / area, remedy })
 }

@@ -13,11 +13,13 @@
 //! the pressure k g at every depth g.
 //!
 //! `tent` (Ψ) · `shell` (a body and a layer around it) · `facet_points`, `of_facet` (facets, and how they are
-//! divided) · `facet_point`, `point_blocks`, `borders`, `rules` (points on them) · `joined` (all together)
+//! divided) · `facet_point`, `point_blocks`, `borders`, `rules` (points on them) · `height_errors` (of coarse faces) ·
+//! `joined` (all together)
 
 mod borders;
 mod facet_point;
 mod facet_points;
+mod height_errors;
 mod joined;
 mod of_facet;
 mod point_blocks;

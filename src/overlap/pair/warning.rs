@@ -96,6 +96,27 @@ pub enum Warning {
         sag: f64,
         /// Mean penetration over that area.
         penetration: f64,
+        /// What may help beside a finer mesh.
+        remedy: Smoothing,
+    },
+    /// With the law `depth`, cells are so coarse that curved faces in contact may be wrong by more than two fifths of the penetration, and
+    /// pressures at single points by as much. Take a finer mesh; the error falls with the fourth power of the cell size.
+    CoarseFaces {
+        /// First body of the pair.
+        a: Partner,
+        /// Second body of the pair.
+        b: Partner,
+        /// How far the depth below the curved faces may be wrong at a point, an estimate.
+        error: f64,
+        /// Mean penetration of the curved faces.
+        penetration: f64,
+    },
+    /// `Contact::set_surface_smoothing` has no effect on a pair of bodies, since its law is not `depth`: it is measured by straight facets.
+    UnusedSmoothing {
+        /// First body of the pair.
+        a: Partner,
+        /// Second body of the pair.
+        b: Partner,
     },
     /// One body lies inside the other: the overlap has no boundary on the other and does not push it out.
     SwallowedBody {
@@ -104,6 +125,30 @@ pub enum Warning {
         /// The body around it.
         outer: Partner,
     },
+}
+
+/// Whether the smoothing of surfaces could measure facets as the round surfaces that they stand for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Smoothing {
+    /// It is not set.
+    NotSet,
+    /// It is set, but facets meet at more than its angle.
+    AngleTooSmall,
+    /// It does not measure such pairs: a body with an obstacle, or with itself.
+    NotForSuchPairs,
+}
+
+impl fmt::Display for Smoothing {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Smoothing::NotSet => "set_surface_smoothing measures round faces, or ",
+            Smoothing::AngleTooSmall => {
+                "facets meet at more than the angle of set_surface_smoothing: raise the angle, or "
+            }
+            Smoothing::NotForSuchPairs => "",
+        })
+    }
 }
 
 /// How many nodes a sentence names.
@@ -159,11 +204,21 @@ impl fmt::Display for Warning {
                 "the signed distance of {obstacle} changes by {least:.3} to {largest:.3} per length at its surface, not by 1: penetrations \
                  and pressures are too small by this factor; divide it by its slope"
             ),
-            Warning::CurvedFaces { a, b, sag, penetration } => write!(
+            Warning::CurvedFaces { a, b, sag, penetration, remedy } => write!(
                 f,
                 "{a} and {b}: facets in contact lie {sag:.3e} beside the round surfaces that they stand for, and penetrate by {penetration:.3e} \
-                 only; pressures may be wrong by factors where the surfaces conform: set_surface_smoothing measures \
-                 round faces, or take a finer mesh"
+                 only; pressures may be wrong by factors where the surfaces conform: {remedy}take a finer mesh"
+            ),
+            Warning::CoarseFaces { a, b, error, penetration } => write!(
+                f,
+                "{a} and {b}: the cells are coarse for the curved faces in contact: these are known to {error:.3e} only, and penetrate by \
+                 {penetration:.3e}; pressures at single points may be wrong by as much: take a finer mesh, the error falls with the fourth \
+                 power of the cell size"
+            ),
+            Warning::UnusedSmoothing { a, b } => write!(
+                f,
+                "{a} and {b}: set_surface_smoothing has no effect on them, since only the law depth measures round faces; straight facets \
+                 stand for them"
             ),
             Warning::SwallowedBody { inner, outer } => write!(f, "{inner} lies inside {outer} and is not pushed out"),
         }

@@ -26,6 +26,10 @@ impl<const D: usize> FacetPoints<'_, D> {
         (depth, slopes, at)
     }
 
+    pub(super) fn is_flat(&self, sag: &FacetSag<D>, below_it: &Below<D>) -> bool {
+        sag.is_flat() && self.shell.heights[below_it.number].is_zero()
+    }
+
     /// Adds the points of a quadrature on a simplex of the facet.
     pub(super) fn add_points(
         &self,
@@ -35,8 +39,7 @@ impl<const D: usize> FacetPoints<'_, D> {
         share: f64,
         found: &mut PointsFound<D>,
     ) {
-        let is_flat = of_facet.sag.is_flat() && self.shell.heights[below_it.number].is_zero();
-        for &(at, part) in if is_flat { &self.rules.flat } else { &self.rules.curved } {
+        for &(at, part) in if self.is_flat(of_facet.sag, below_it) { &self.rules.flat } else { &self.rules.curved } {
             let in_facet = between(corners, &at);
             let w: [f64; D] = std::array::from_fn(|c| in_facet[c]);
             self.add_point(of_facet, below_it, &w, share * part, found);
@@ -60,6 +63,9 @@ impl<const D: usize> FacetPoints<'_, D> {
         let (corners, measure) = &of_facet.before;
         let before = part * measure * weight_at(corners);
         let now = part * weight_at(&of_facet.facet.corners);
+        if !self.is_flat(of_facet.sag, below_it) {
+            found.errors.add(now * of_facet.facet.measure, depth);
+        }
         let (energy, pressure, slope) = self.tent.at(depth);
         found.energy += HALF * before * energy;
         found.volume += HALF * now * of_facet.facet.measure * depth.min(self.tent.top);

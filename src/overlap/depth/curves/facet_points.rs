@@ -1,5 +1,6 @@
 //! Facets of one body in the shell of another, divided until points can sum up what is in a part.
 
+use super::height_errors::HeightErrors;
 use super::of_facet::{Below, OfFacet};
 use super::rules::Rules;
 use super::shell::Shell;
@@ -49,9 +50,11 @@ pub(super) struct PointsFound<const D: usize> {
     pub(super) volume: f64,
     /// The largest depth below the straight faces.
     pub(super) deepest: f64,
+    /// How far heights may be wrong.
+    pub(super) errors: HeightErrors,
 }
 
-packed!(PointsFound<D> { sums, energy, volume, deepest });
+packed!(PointsFound<D> { sums, energy, volume, deepest, errors });
 
 impl<const D: usize> FacetPoints<'_, D> {
     /// The sums over some facets.
@@ -76,8 +79,7 @@ impl<const D: usize> FacetPoints<'_, D> {
                     }
                     let at = of_facet.facet.corners.each_ref().map(|x| simplex.barycentric(x));
                     let piece = &self.shell.pieces.pieces[number];
-                    let barycentric = of_facet.facet.corners.each_ref().map(|x| piece.barycentric(x));
-                    let below = Below { piece, number, barycentric };
+                    let below = Below::new(piece, number, &of_facet.facet);
                     let (corners, area) = (of_facet.facet.corners, of_facet.facet.area);
                     clip(&corners, &at, &area, simplex, (&mut part, &mut work), |inside| {
                         if let Found::Part(inside, counts) = inside {
@@ -109,6 +111,14 @@ impl<const D: usize> FacetPoints<'_, D> {
             (0..=D).map(|k| at[k] * below_it.piece.depths[k]).sum()
         };
         found.deepest = part.iter().map(straight).fold(found.deepest, f64::max);
+        if !self.is_flat(of_facet.sag, below_it) {
+            for w in part {
+                let heights = [of_facet.sag.at(w), self.shell.heights[below_it.number].at(&below_it.at(w)).0];
+                if straight(w) + heights[0] + heights[1] > 0.0 {
+                    found.errors.see(heights, below_it.turn);
+                }
+            }
+        }
         let facet = &of_facet.facet;
         let flat = FLAT * facet.size();
         if facet.looks_the_same_way(below_it.piece) && part.iter().all(|w| (straight(w) + self.clearance).abs() <= flat)

@@ -62,6 +62,8 @@ impl<const D: usize> Joined<'_, D> {
         let is_deep = has_core_inside || found_a.deepest.max(found_b.deepest) > self.tent.top;
         let energy = found_a.energy + found_b.energy;
         let mut volume = found_a.volume + found_b.volume;
+        let mut errors = found_a.errors;
+        errors.add_all(&found_b.errors);
         let facets = [found_a.sums, found_b.sums];
         let inside = || facets.iter().filter(|part| part.area > 0.0);
         let area: f64 = inside().map(|part| part.area).sum();
@@ -98,6 +100,7 @@ impl<const D: usize> Joined<'_, D> {
         overlap.warnings = warnings;
         overlap.warnings.extend(self.bodies.flush_faces(sums.flush));
         overlap.warnings.extend(curved_faces(pair, &sums.facets, Some(self.curves)));
+        overlap.warnings.extend(errors.warning(pair));
         let (nodes, of_b, gradient) = sums.gradient.into_nodes();
         blocks.insert(0, sums.hessian.into_blocks());
         Ok(Some(DepthIntegral {
@@ -183,6 +186,7 @@ impl<const D: usize> PointsFound<D> {
             all.energy += part.energy;
             all.volume += part.volume;
             all.deepest = all.deepest.max(part.deepest);
+            all.errors.add_all(&part.errors);
             sums.push(part.sums);
         }
         all.sums = FacetSums::of_parts(sums);

@@ -29,6 +29,8 @@ pub(super) struct Below<'a, const D: usize> {
     pub(super) number: usize,
     /// Barycentric coordinates of the facet's corners.
     pub(super) barycentric: [[f64; 4]; D],
+    /// 1 − cos of the angle between the facet and the straight face below it.
+    pub(super) turn: f64,
 }
 
 impl<'a, const D: usize> OfFacet<'a, D> {
@@ -47,7 +49,16 @@ impl<'a, const D: usize> OfFacet<'a, D> {
     }
 }
 
-impl<const D: usize> Below<'_, D> {
+impl<'a, const D: usize> Below<'a, D> {
+    pub(super) fn new(piece: &'a DepthPiece<D>, number: usize, facet: &BodyFacet<D>) -> Self {
+        let barycentric = facet.corners.each_ref().map(|x| piece.barycentric(x));
+        let mut below = Self { piece, number, barycentric, turn: 1.0 };
+        if let Some(inwards) = below.gradient(&piece.depths).try_normalize(0.0) {
+            below.turn = 1.0 - facet.normal.dot(&inwards);
+        }
+        below
+    }
+
     /// Barycentric coordinates in the piece of a place of the facet.
     pub(super) fn at(&self, w: &[f64; D]) -> [f64; 4] {
         std::array::from_fn(|k| (0..D).map(|c| w[c] * self.barycentric[c][k]).sum())
