@@ -1012,8 +1012,15 @@ typedef enum {
   FMC_WARNING_GENTLE_DISTANCE = 8,
   // With the law "depth", the facets in contact lie farther beside the round surfaces that they stand for than the sides penetrate;
   // the text gives both sizes. Where such surfaces conform, as a pin in its hole, pressures may be wrong by factors:
-  // `fmc_context_set_surface_smoothing` measures round faces, or take a finer mesh.
+  // `fmc_context_set_surface_smoothing` measures round faces, of bodies whose facets meet at less than its angle, or take a finer mesh.
   FMC_WARNING_CURVED_FACES = 9,
+  // With the law "depth", cells are so coarse that curved faces in contact, of second order or smoothed, may be wrong by more than
+  // two fifths of the penetration, and pressures at single points by as much; the text gives both sizes. Take a finer mesh. The
+  // error falls with the fourth power of the cell size.
+  FMC_WARNING_COARSE_FACES = 10,
+  // `fmc_context_set_surface_smoothing` has no effect on a pair of bodies, since its law is not "depth": it is measured by straight
+  // facets.
+  FMC_WARNING_UNUSED_SMOOTHING = 11,
 } fmc_warning;
 
 // Results of an evaluation other than the forces. Units follow from the coordinates and the stiffness: with m and Pa,

@@ -148,6 +148,8 @@ module fmc_contact_c
   integer(c_int32_t), parameter :: FMC_WARNING_COINCIDING_FACES = 7
   integer(c_int32_t), parameter :: FMC_WARNING_GENTLE_DISTANCE = 8
   integer(c_int32_t), parameter :: FMC_WARNING_CURVED_FACES = 9
+  integer(c_int32_t), parameter :: FMC_WARNING_COARSE_FACES = 10
+  integer(c_int32_t), parameter :: FMC_WARNING_UNUSED_SMOOTHING = 11
   integer(c_int32_t), parameter :: FMC_REQUEST_FORCES = 0
   integer(c_int32_t), parameter :: FMC_REQUEST_PRODUCT = 1
   integer(c_int32_t), parameter :: FMC_REQUEST_DIAGONAL = 2

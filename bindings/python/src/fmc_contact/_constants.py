@@ -143,6 +143,8 @@ FMC_WARNING_FLUSH_FACES = 6
 FMC_WARNING_COINCIDING_FACES = 7
 FMC_WARNING_GENTLE_DISTANCE = 8
 FMC_WARNING_CURVED_FACES = 9
+FMC_WARNING_COARSE_FACES = 10
+FMC_WARNING_UNUSED_SMOOTHING = 11
 FMC_REQUEST_FORCES = 0
 FMC_REQUEST_PRODUCT = 1
 FMC_REQUEST_DIAGONAL = 2
@@ -297,6 +299,8 @@ FMC_WARNING: dict[int, str] = {
     7: "coinciding_faces",
     8: "gentle_distance",
     9: "curved_faces",
+    10: "coarse_faces",
+    11: "unused_smoothing",
 }
 
 FMC_EQUILIBRIUM_REQUEST_KIND: dict[int, str] = {
