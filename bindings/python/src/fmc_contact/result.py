@@ -135,7 +135,8 @@ class ContactWarning:
     ----------
     kind : str
         ``"coarse_fibers"``, ``"unresolved_overlap"``, ``"swallowed_body"``, ``"patch_left_out"``, ``"unbalanced"``,
-        ``"flush_faces"``, ``"coinciding_faces"``, ``"gentle_distance"`` or ``"curved_faces"``.
+        ``"flush_faces"``, ``"coinciding_faces"``, ``"gentle_distance"``, ``"curved_faces"``,
+        ``"coarse_faces"`` or ``"unused_smoothing"``.
     text : str
         A sentence.
 

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 from fmc_contact import Contact, NodalContact, Result
 from fmc_contact._arrays import numbers
+from fmc_contact.smoothing import SmoothesSurfaces
 
 from .in_parts import InParts, whole_because
 from .linearised import Linearised
@@ -19,7 +20,7 @@ from .together import together
 from .unknowns import Unknowns
 
 
-class DolfinxContact(Linearised):
+class DolfinxContact(Linearised, SmoothesSurfaces):
     """Contact between all bodies of one space or of several, and with the obstacles that are added to ``contact``.
 
     On more than one rank the mesh is in parts: each rank has its own cells and, of the others, only those that may be in contact. If that is

@@ -8,6 +8,7 @@ from typing import Any
 import getfem as gf
 import numpy as np
 from fmc_contact import Contact, NodalContact, Result
+from fmc_contact.smoothing import SmoothesSurfaces
 from numpy.typing import ArrayLike
 from scipy.sparse import csr_matrix
 
@@ -15,7 +16,7 @@ from .errors import LayoutError
 from .field import field
 
 
-class GetfemContact:
+class GetfemContact(SmoothesSurfaces):
     """Contact between all bodies of the displacements of a model, and with the obstacles that are added to ``contact``.
 
     This object keeps the Python objects of mesh and mesh_fem. They must still exist when it is made: GetFEM finds neither without them.

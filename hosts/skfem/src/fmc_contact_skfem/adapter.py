@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 from fmc_contact import Contact, GapConstraints, NodalContact, Result
+from fmc_contact.smoothing import SmoothesSurfaces
 from numpy.typing import ArrayLike
 from scipy.sparse import block_diag, csr_matrix, hstack, identity
 from skfem import CellBasis
@@ -14,7 +15,7 @@ from skfem import CellBasis
 from .field import Field, field
 
 
-class SkfemContact:
+class SkfemContact(SmoothesSurfaces):
     """Contact between all bodies of one basis or of several, and with the obstacles that are added to ``contact``.
 
     Meshes need not match. There is no supermesh, no search for pairs, and no side is the master. Nodes of the contact are the vertices of
@@ -27,8 +28,7 @@ class SkfemContact:
         A basis of ``ElementVector`` of continuous elements in 2D or 3D. Or a list of ``(basis, offset)``, where ``offset`` is the place of
         the basis' first unknown in the vectors of the whole problem.
     stiffness : float
-        Stiffness of the law: pressure per length for the default law. 0, the default: it is found from the bodies' matrix by
-        ``fmc_contact.find_equilibrium``.
+        Pressure per length for the default law. 0, the default: ``fmc_contact.find_equilibrium`` finds it from the bodies' matrix.
     size : int, optional
         Length of the vectors of the whole problem. Default: as far as the bases reach.
     bodies : array_like of int, (cells,), optional

@@ -61,7 +61,8 @@ class Equilibrium:
     penetration : float or None
         Largest mean penetration of a node at the solution (length), if it was measured.
     warnings : list of str
-        What the user should know, such as bodies that stand by chance.
+        What the user should know of the search, such as bodies that stand by chance. The contact's own warnings are
+        ``result.warnings``.
 
     Examples
     --------
