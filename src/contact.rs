@@ -1,6 +1,7 @@
 //! Energy laws and the forces of all pairs.
 
 mod changes;
+mod derivatives;
 pub mod equilibrium;
 mod evaluation;
 mod explicit;
@@ -17,6 +18,7 @@ mod ties;
 mod work;
 
 pub use changes::Adjustment;
+pub use derivatives::{GradientRequest, Gradients, PairGradient};
 pub use equilibrium::{Augmentation, CondensedBodies, ContactStep, ContactStepOptions, ContactStepState, Place};
 pub use evaluation::Contact;
 pub(crate) use evaluation::{Needed, hash_in_common, needed};

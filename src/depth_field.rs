@@ -4,7 +4,8 @@
 //! `distances` (of points from a surface) · `node_depths` · `cell_parts` (a cell as simplices) · `divide` (simplices
 //! about points) · `incentre` · `near_surface` and `cell_division` (cells that have nodes on the surface) · `divisions`
 //! and `field` (what is kept) · `curves` and
-//! `heights_in_cells` (curved faces) · `pieces` (the simplices on which the field is linear, where they are).
+//! `heights_in_cells` (curved faces) · `pieces` (the simplices on which the field is linear, where they are) · `point_origin`,
+//! `incentre_slopes` and `reference_slopes` (how the field changes as the reference moves).
 
 mod cell_division;
 mod cell_parts;
@@ -15,11 +16,15 @@ mod divisions;
 mod field;
 mod heights_in_cells;
 mod incentre;
+mod incentre_slopes;
 mod near_surface;
 mod node_depths;
 mod pieces;
+mod point_origin;
+mod reference_slopes;
 
 pub(crate) use curves::{Curves, Quadratic};
 pub(crate) use divisions::MOST_NODES;
 pub(crate) use field::DepthField;
 pub(crate) use pieces::DepthPiece;
+pub(crate) use reference_slopes::{CellSlopes, ReferenceSlopes};

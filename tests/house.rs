@@ -44,6 +44,7 @@ const ROOMS: &[&str] = &[
     "contact/ties",
     "contact/work",
     "contact/history",
+    "contact/derivatives",
     "contact/evaluation",
     "contact/changes",
     "contact/interface",

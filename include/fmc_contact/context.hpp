@@ -355,6 +355,24 @@ class Context : public AddsShapes<Context> {
     call(fmc_context_nodal_contact(get(), &x, &to));
     return at;
   }
+  // The derivatives of `energy` * w + `adjoint` . F, see `fmc_context_vjp`; an adjoint without nodes stands for zeros. `to` says what is
+  // asked for, and where it goes; what comes back is what was asked for of pairs.
+  std::vector<fmc_pair_gradient> vjp(Coords coords, double energy, Coords adjoint, const Gradients& to) {
+    const auto x = coords.as_c(dim_), a = adjoint.as_c(dim_);
+    const auto* forces = a.node_count == 0 ? nullptr : &a;
+    std::vector<fmc_pair_gradient> pairs(16);
+    for (;;) {
+      std::size_t count = 0;
+      const auto status = fmc_context_vjp(get(), &x, energy, forces, &to, pairs.data(), pairs.size(), &count);
+      if (status == FMC_ERROR_BUFFER_TOO_SMALL) {
+        pairs.resize(8 * pairs.size());
+        continue;
+      }
+      call(status);
+      pairs.resize(count);
+      return pairs;
+    }
+  }
   std::vector<fmc_contact_point> contact_points(Coords coords) {
     const auto x = coords.as_c(dim_);
     return found<fmc_contact_point>([&](auto... room) { return fmc_context_contact_points(get(), &x, room...); });

@@ -62,6 +62,11 @@ struct Communicator : fmc_communicator {
   Communicator() : fmc_communicator() { check(fmc_communicator_init(this)); }
 };
 
+// By what the contact is differentiated, and where that goes; nothing at first.
+struct Gradients : fmc_gradients {
+  Gradients() : fmc_gradients() { check(fmc_gradients_init(this)); }
+};
+
 // When a contact step ends.
 struct ContactStepOptions : fmc_contact_step_options {
   ContactStepOptions() : fmc_contact_step_options() { check(fmc_contact_step_options_init(this)); }

@@ -10,6 +10,7 @@ pub(super) mod equilibrium;
 pub(super) mod equilibrium_result;
 pub(super) mod evaluation;
 pub(super) mod gap_constraint;
+pub(super) mod gradients;
 pub(super) mod in_parts;
 pub(super) mod kept_tangent;
 pub(super) mod law;

@@ -2,16 +2,20 @@
 //!
 //! `parts` (the parts of a contact) · `bring`, `state` (the bodies at the coordinates, and what is remembered of them) · `walk` (which pairs may
 //! overlap, and on which threads they are measured) · `needed`, `gathered` (of some cells of a larger mesh: where none may be
-//! missing; `layer`: how near) · `sliding` (how a pair slides) · `kernels` (the evaluations, compiled for 2D and for 3D) · `agreed` (what ranks must have
+//! missing; `layer`: how near) · `sliding` (how a pair slides) · `measured` (what laws and friction answer) ·
+//! `gradients` (derivatives) · `kernels` (the evaluations, compiled for 2D and for 3D) · `agreed` (what ranks must have
 //! in common)
 
 mod agreed;
 mod bring;
 mod gathered;
+mod gradients;
 pub(super) mod kernels;
 mod layer;
+mod measured;
 mod needed;
 mod parts;
+mod points;
 mod sliding;
 mod state;
 mod walk;

@@ -1,7 +1,8 @@
-//! What hosts call: `contact` (the functions of [`Contact`](crate::Contact)) · `ties` (of bodies that are tied) ·
-//! `stateless` (all in one call)
+//! What hosts call: `contact` (the functions of [`Contact`](crate::Contact)) · `gradients` (its derivatives) · `ties` (of bodies that are
+//! tied) · `stateless` (all in one call)
 
 mod contact;
+mod gradients;
 mod offsets;
 mod stateless;
 mod ties;

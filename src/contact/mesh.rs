@@ -6,7 +6,7 @@ pub(crate) use offsets::Offsets;
 
 use crate::Error;
 use crate::contact::partners::MeshHashes;
-use crate::depth_field::DepthField;
+use crate::depth_field::{DepthField, ReferenceSlopes};
 use crate::geometry::submesh::hash_of;
 use crate::geometry::symmetry::{Symmetry, SymmetryPlane, check_bodies, planes_of};
 use crate::geometry::{Basis, CoincidingFaces, Surface, Weighting};
@@ -25,6 +25,8 @@ pub(crate) struct Mesh<const D: usize> {
     feature_angle: Option<f64>,
     /// Depth of the cells, found when it is asked for first.
     depth: OnceLock<Option<DepthField<D>>>,
+    /// How they change with the reference, found when that is asked for first.
+    slopes: OnceLock<Option<ReferenceSlopes<D>>>,
     /// Faces of one body that coincide, found when they are asked for first.
     coinciding: OnceLock<Vec<CoincidingFaces>>,
     hashes: MeshHashes,
@@ -34,8 +36,8 @@ impl<const D: usize> Mesh<D> {
     pub(crate) fn new(surface: Surface<D>) -> Self {
         let offsets = Offsets::none();
         let hashes = MeshHashes { depths: [hash_of(surface.reference()), 0, 0], offsets: offsets.hash() };
-        let (depth, coinciding) = (OnceLock::new(), OnceLock::new());
-        Self { surface, offsets, told: None, symmetry: None, feature_angle: None, depth, coinciding, hashes }
+        let (depth, slopes, coinciding) = (OnceLock::new(), OnceLock::new(), OnceLock::new());
+        Self { surface, offsets, told: None, symmetry: None, feature_angle: None, depth, slopes, coinciding, hashes }
     }
 
     /// The points of the straight mesh that is measured: those of the nodes at `coords`, with what the surface lies beside them.
@@ -67,6 +69,12 @@ impl<const D: usize> Mesh<D> {
     pub(crate) fn depth_field(&self, weighting: Weighting, check: &dyn Fn()) -> Option<&DepthField<D>> {
         let new = || DepthField::new(&self.surface, self.symmetry.as_ref(), weighting, self.feature_angle, check);
         self.depth.get_or_init(new).as_ref()
+    }
+
+    /// How the depths of flat faces change with the reference, where there are cells. It is found at the first call; `check` may end that.
+    pub(crate) fn reference_slopes(&self, check: &dyn Fn()) -> Option<&ReferenceSlopes<D>> {
+        let new = || ReferenceSlopes::new(&self.surface, self.symmetry.as_ref(), check);
+        self.slopes.get_or_init(new).as_ref()
     }
 
     /// Faces of one body that lie on one another without deformation.
@@ -112,6 +120,7 @@ impl<const D: usize> Mesh<D> {
     /// Has depths found again, for another weighting.
     pub(crate) fn forget_depth(&mut self) {
         self.depth = OnceLock::new();
+        self.slopes = OnceLock::new();
     }
 
     pub(crate) fn set_reference(&mut self, coords: &[[f64; D]]) -> Result<(), Error> {

@@ -5,6 +5,7 @@ use super::divide::{Between, divide};
 use super::divisions::{CellPoint, CellSimplex, MOST_NODES};
 use super::incentre::{height, incentre, rounding_of_height};
 use super::near_surface::NearSurface;
+use super::point_origin::PointOrigin;
 use crate::geometry::{CellType, Vector};
 
 /// Corners of the triangles of a tetrahedron, by the corner opposite to each.
@@ -26,33 +27,40 @@ pub(super) struct CellDivision<'a, const D: usize> {
     cell_type: CellType,
     nodes: &'a [u32],
     pub(super) points: Vec<CellPoint>,
+    /// Where each of them comes from.
+    pub(super) origins: Vec<PointOrigin>,
     pub(super) simplices: Vec<CellSimplex>,
+    /// Whether parts with facets are divided about their centres also where the depth is the height above each facet already.
+    about_centres: bool,
 }
 
 impl<'a, const D: usize> CellDivision<'a, D> {
-    pub(super) fn new(near: &'a NearSurface<'a, D>, cell: usize) -> Self {
+    pub(super) fn new(near: &'a NearSurface<'a, D>, cell: usize, about_centres: bool) -> Self {
         let (cell_type, nodes) = (near.cells.cell_type(cell), near.cells.nodes(cell));
-        let mut division = Self { near, cell, cell_type, nodes, points: Vec::new(), simplices: Vec::new() };
+        let (points, origins, simplices) = (Vec::new(), Vec::new(), Vec::new());
+        let mut division = Self { near, cell, cell_type, nodes, points, origins, simplices, about_centres };
         for (number, weights) in own_points(cell_type).enumerate() {
-            let depth = division.depth_of_own_point(number, &weights);
+            let (depth, origin) = division.depth_of_own_point(number, &weights);
             division.points.push(CellPoint { weights, depth });
+            division.origins.push(origin);
         }
         parts(cell_type).for_each(|part| division.add_part(&part));
         division
     }
 
     /// Depth at the centroid of a face, or in the middle, which follows them.
-    fn depth_of_own_point(&self, number: usize, weights: &[f64; MOST_NODES]) -> Option<f64> {
+    fn depth_of_own_point(&self, number: usize, weights: &[f64; MOST_NODES]) -> (Option<f64>, PointOrigin) {
         if let Some(face) = self.cell_type.faces().get(number) {
             if self.near.is_surface(self.cell, number) {
-                return Some(0.0);
+                return (Some(0.0), PointOrigin::Surface);
             }
             // Both cells at the face must say the same: one that has no node on the surface takes the mean.
             if face.iter().all(|&k| self.near.depth(self.nodes[k]) > 0.0) {
-                return None;
+                return (None, PointOrigin::Nodes);
             }
         }
-        Some(self.near.distance(self.cell, weights))
+        let (depth, facet) = self.near.distance(self.cell, weights);
+        (Some(depth), PointOrigin::Distance { facet })
     }
 
     /// Adds the simplices into which a part is divided.
@@ -69,8 +77,12 @@ impl<'a, const D: usize> CellDivision<'a, D> {
         } else {
             part.corners[..=D].iter().any(|&corner| self.depth(corner) > 0.0)
         };
-        if !is_complete && let Some(centre) = self.centre(part, has_facet) {
-            points.insert(0, Between { corners: (1 << (D + 1)) - 1, number: self.number_of(centre) });
+        // The depth of a part that is not divided is linear, and that of the centre too.
+        let is_linear = has_facet && points.is_empty();
+        let wants_centre = !is_complete || self.about_centres && is_linear;
+        let centre = if wants_centre { self.centre(part, has_facet) } else { None };
+        if let Some((centre, origin)) = centre {
+            points.insert(0, Between { corners: (1 << (D + 1)) - 1, number: self.number_of(centre, origin) });
             simplices = self.divided(part, &points);
         }
         let of_part = simplices.into_iter().map(|simplex| {
@@ -97,21 +109,29 @@ impl<'a, const D: usize> CellDivision<'a, D> {
             let nodes: Vec<usize> =
                 (0..=D).filter(|k| corners >> k & 1 == 1).map(|k| part.corners[k] as usize).collect();
             let weights = mean(nodes.into_iter());
-            let point = CellPoint { weights, depth: Some(self.near.distance(self.cell, &weights)) };
-            Between { corners, number: self.number_of(point) }
+            let (depth, facet) = self.near.distance(self.cell, &weights);
+            let point = CellPoint { weights, depth: Some(depth) };
+            Between { corners, number: self.number_of(point, PointOrigin::Distance { facet }) }
         };
         found.into_iter().map(between).collect()
     }
 
     /// The centre of the ball inscribed in a part, whose depth is the radius of the ball if that touches a facet.
-    fn centre(&self, part: &Part, has_facet: bool) -> Option<CellPoint> {
+    fn centre(&self, part: &Part, has_facet: bool) -> Option<(CellPoint, PointOrigin)> {
         let (of_corners, radius) = incentre(&self.places(&part.corners))?;
         let mut weights = [0.0; MOST_NODES];
         for (&corner, weight) in part.corners[..=D].iter().zip(of_corners) {
             weights.iter_mut().zip(self.weights(corner)).for_each(|(sum, w)| *sum += weight * w);
         }
-        let depth = if has_facet { radius } else { self.near.distance(self.cell, &weights) };
-        Some(CellPoint { weights, depth: Some(depth) })
+        let (depth, facet) = match has_facet {
+            true => (radius, None),
+            false => {
+                let (depth, facet) = self.near.distance(self.cell, &weights);
+                (depth, Some(facet))
+            }
+        };
+        let origin = PointOrigin::Centre { corners: part.corners, facet };
+        Some((CellPoint { weights, depth: Some(depth) }, origin))
     }
 
     fn divided(&self, part: &Part, points: &[Between]) -> Vec<Kept> {
@@ -142,10 +162,11 @@ impl<'a, const D: usize> CellDivision<'a, D> {
     }
 
     /// Number of a point, which is added if it is new.
-    fn number_of(&mut self, point: CellPoint) -> u8 {
+    fn number_of(&mut self, point: CellPoint, origin: PointOrigin) -> u8 {
         let known = self.points.iter().position(|other| *other == point);
         let number = known.unwrap_or_else(|| {
             self.points.push(point);
+            self.origins.push(origin);
             self.points.len() - 1
         });
         (self.nodes.len() + number) as u8

@@ -7,6 +7,7 @@ use super::distances::Distances;
 use super::divisions::{CellPoint, CellSimplex, Divisions};
 use super::near_surface::NearSurface;
 use super::node_depths::{CELLS_BETWEEN, node_depths};
+use super::point_origin::PointOrigin;
 use crate::geometry::aabb::Aabb;
 use crate::geometry::cells::Cells;
 use crate::geometry::components::Components;
@@ -24,7 +25,7 @@ use crate::geometry::{CellType, Surface, Vector, Weighting};
 pub(crate) struct DepthField<const D: usize> {
     /// Depth of every node, and the facet that is nearest to it.
     pub(super) nodes: Vec<f64>,
-    anchors: Vec<u32>,
+    pub(super) anchors: Vec<u32>,
     /// How cells are divided, by number: one for each type of cell, then one for every cell that has nodes on the surface.
     pub(super) divisions: Divisions,
     pub(super) division_of: Vec<u32>,
@@ -53,6 +54,18 @@ impl<const D: usize> DepthField<D> {
         weighting: Weighting,
         feature_angle: Option<f64>,
         check: &dyn Fn(),
+    ) -> Option<Self> {
+        Self::divided(surface, symmetry, (weighting, feature_angle), check, (false, &mut |_, _| ()))
+    }
+
+    /// The same; also divided `about_centres` where that changes no depth here, but does as soon as the reference moves. Tells of
+    /// every cell that has nodes on the surface where its points come from.
+    pub(super) fn divided(
+        surface: &Surface<D>,
+        symmetry: Option<&Symmetry<D>>,
+        (weighting, feature_angle): (Weighting, Option<f64>),
+        check: &dyn Fn(),
+        (about_centres, tell): (bool, &mut dyn FnMut(usize, Vec<PointOrigin>)),
     ) -> Option<Self> {
         let cells = surface.cells.as_ref()?;
         let coords = surface.reference();
@@ -93,8 +106,10 @@ impl<const D: usize> DepthField<D> {
             if cells.nodes(cell).iter().all(|&n| nodes[n as usize] > 0.0) {
                 return TYPES.iter().position(|t| *t == cells.cell_type(cell)).unwrap_or(0) as u32;
             }
-            let of_cell = CellDivision::new(&near, cell);
-            divisions.add(&of_cell.points, &of_cell.simplices)
+            let of_cell = CellDivision::new(&near, cell, about_centres);
+            let number = divisions.add(&of_cell.points, &of_cell.simplices);
+            tell(cell, of_cell.origins);
+            number
         });
         let division_of: Vec<u32> = division_of.collect();
         let connected = connected_bodies(cells, surface.body_count());

@@ -55,13 +55,13 @@ impl<'a, const D: usize> NearSurface<'a, D> {
         terms.fold(Vector::zeros(), |x, term| x + term)
     }
 
-    /// Distance of such a point from the surface of the body.
-    pub(super) fn distance(&self, cell: usize, weights: &[f64; 8]) -> f64 {
+    /// Distance of such a point from the surface of the body, and the nearest facet.
+    pub(super) fn distance(&self, cell: usize, weights: &[f64; 8]) -> (f64, u32) {
         let x = self.place(cell, weights);
         // No farther than a node on the surface.
         let on_surface = self.cells.nodes(cell).iter().find(|&&n| self.depth(n) == 0.0);
         let limit = on_surface.map_or(f64::INFINITY, |&n| (x - self.node(n)).norm());
-        self.distances.of_point(self.cells.body[cell] as usize, &x, limit).0
+        self.distances.of_point(self.cells.body[cell] as usize, &x, limit)
     }
 
     fn node(&self, node: u32) -> Vector<D> {

@@ -19,3 +19,5 @@ pub(crate) mod measure;
 mod obstacles;
 pub(crate) mod points;
 pub(crate) mod simplex_parts;
+
+pub(crate) use bodies::{DepthSeeds, depth_slopes};

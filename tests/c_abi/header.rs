@@ -80,6 +80,8 @@ pub(crate) const SECTIONS: [Section; 20] = [
             "structs/boundary_facet",
             "calls/mesh/boundary_facets",
             "calls/mesh/point_weights",
+            "structs/gradients",
+            "calls/results/gradients",
         ],
     ),
     ("Restart", &["calls/steps/slip", "calls/steps/multipliers"]),

@@ -3,6 +3,7 @@
 #[path = "../scene/scene.rs"]
 mod scene;
 
+mod by_reference;
 mod clearance;
 mod coarse;
 mod coarse_faces;

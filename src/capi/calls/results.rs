@@ -3,5 +3,6 @@
 pub(super) mod contact_points;
 pub(super) mod gap_constraints;
 pub(super) mod getters;
+pub(super) mod gradients;
 pub(super) mod nodal_contact;
 pub(super) mod ties;

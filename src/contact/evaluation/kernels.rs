@@ -1,21 +1,24 @@
 //! The evaluations, each compiled here for the plane and for space: see [`crate::dimension`].
 
+use super::gradients::gradients_in;
+use super::measured::measured_pairs;
 use super::parts::Contact;
-use super::sliding::{check_ready, released, sliding};
+use super::points::Points;
+use super::sliding::{check_ready, sliding};
 use super::walk::{for_each_pair, for_each_pair_within};
 use crate::Error;
+use crate::contact::derivatives::{GradientRequest, Gradients};
 use crate::contact::explicit::largest_step;
 use crate::contact::friction::{SlipFacets, Tractions};
-use crate::contact::laws::{Answer, Asked, PairEnergy};
+use crate::contact::laws::{Asked, PairEnergy};
 use crate::contact::results::{
-    ContactForces, GapConstraints, NodalContact, OntoNodes, PairForces, PointOfContact, add_rotation, points_of_contact,
+    ContactForces, GapConstraints, NodalContact, OntoNodes, PairForces, PointOfContact, points_of_contact,
 };
 use crate::contact::tangents::{Tangent, TangentPart};
 use crate::dimension::{recast, rows};
 use crate::overlap::normal_lines::estimate as normal_lines;
 use crate::overlap::{self, FiberTrace, Overlap, Partner, Patches, Reach, Warning};
 use std::any::Any;
-use std::ops::Deref;
 
 /// Facets with friction by pair.
 pub(crate) type SlipFacetsByPair<const D: usize> = Vec<SlipFacets<D>>;
@@ -30,22 +33,6 @@ enum Surfaces {
     True,
     /// Moved out by the multipliers, if there are any.
     Shifted,
-}
-
-/// Points of the straight mesh.
-struct Points<'a, const D: usize> {
-    /// As surfaces are measured.
-    measured: &'a [[f64; D]],
-    /// Where they are.
-    unshifted: &'a [[f64; D]],
-}
-
-impl<const D: usize> Deref for Points<'_, D> {
-    type Target = [[f64; D]];
-
-    fn deref(&self) -> &[[f64; D]] {
-        self.measured
-    }
 }
 
 /// What `work` finds at the points of the straight mesh, as the host's nodes have it.
@@ -105,6 +92,7 @@ macro_rules! numbers {
         f64
     };
 }
+macro_rules! gradient_lists { ($d:expr) => { Gradients<$d> }; }
 macro_rules! overlap_list { ($d:expr) => { Vec<Overlap<$d>> }; }
 macro_rules! traces { ($d:expr) => { Vec<FiberTrace<$d>> }; }
 macro_rules! nodal { ($d:expr) => { NodalContact<$d> }; }
@@ -121,6 +109,8 @@ kernel! { /// Second derivative of the energy.
 tangent = tangent_in(part: TangentPart) -> tangents }
 kernel! { /// Forces and second derivative of the energy.
 evaluate_tangent = evaluate_tangent_in(part: TangentPart) -> both }
+kernel! { /// Derivatives of energy and forces.
+gradients = gradients_in(energy: f64, adjoint: &[f64], request: &GradientRequest) -> gradient_lists }
 kernel! { /// Time step.
 stable_step = stable_step_in(masses: &[f64]) -> numbers }
 kernel! { /// Overlaps of all pairs.
@@ -137,45 +127,6 @@ kernel! { /// Facets on which friction acts.
 slip_facets = slip_facets_in() -> slip_list }
 kernel! { /// Patches of all pairs, for all facets.
 patches = patches_in() -> patch_list }
-
-/// What is asked of every pair, with its friction.
-fn measured_pairs<const D: usize>(
-    contact: &Contact<D>,
-    coords: &Points<D>,
-    asked: &Asked,
-) -> Result<(Vec<Answer<D>>, Vec<Tractions<D>>), Error> {
-    check_ready(contact)?;
-    let rotations = asked.rotations.then_some(contact.partners.obstacles.count());
-    let found = for_each_pair(contact, coords, |measured| {
-        let slides = if contact.history.frozen.is_none() { sliding(contact, measured)? } else { None };
-        let (slides_here, wants_energy) = (slides.is_some(), asked.energy);
-        let asked = Asked { slides: slides_here, energy: wants_energy || asked.rotations, ..*asked };
-        let Some(mut answer) = measured.law.measure(measured, &asked)? else { return Ok(None) };
-        if let Some(part) = asked.tangent.filter(|_| asked.rotations) {
-            add_rotation(measured, &mut answer, part, contact.partners.obstacles.count())?;
-            answer.energy = answer.energy.filter(|_| wants_energy);
-        }
-        let tractions = slides.map(|sliding| {
-            let facets = SlipFacets::new(measured, &sliding, &std::mem::take(&mut answer.points));
-            Tractions::new(&facets, coords.len(), asked.tangent, rotations)
-        });
-        Ok(Some((answer, tractions)))
-    })?;
-    let (mut answers, tractions): (Vec<_>, Vec<_>) = found.into_iter().unzip();
-    if !contact.ties.is_empty() {
-        let stiffness = |pair| contact.stiffness_of_pair(pair);
-        for (energy, tangent) in contact.ties.measured(coords.unshifted, stiffness, (asked.energy, asked.tangent))? {
-            answers.push(Answer { energy, tangent, nodal_sums: None, points: Vec::new() });
-        }
-    }
-    let mut tractions: Vec<_> = tractions.into_iter().flatten().collect();
-    let frozen = contact.history.frozen_at(coords, &contact.partners.obstacles.poses());
-    tractions.extend(frozen.iter().map(|facets| Tractions::new(facets, coords.len(), asked.tangent, rotations)));
-    let pairs: Vec<[Partner; 2]> = tractions.iter().map(|pair| pair.partners).collect();
-    let gone = released(contact, &pairs)?;
-    tractions.extend(gone.into_iter().map(|(pair, energy)| Tractions::released(pair, energy)));
-    Ok((answers, tractions))
-}
 
 fn evaluate_in<const D: usize>(contact: &Contact<D>, coords: &Points<D>) -> Result<ContactForces<D>, Error> {
     let asked = Asked { energy: true, ..Asked::default() };

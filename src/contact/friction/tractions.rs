@@ -20,6 +20,8 @@ pub(crate) struct Tractions<const D: usize> {
     pub(crate) on_obstacle: (Vector<D>, [f64; 3]),
     pub(crate) tangent: Tangent<D>,
     pub(crate) totals: FrictionTotals,
+    /// The part of the forces on nodes that grows with the limits, times these; empty unless it is asked for.
+    pub(crate) limited: Vec<(u32, Vector<D>)>,
 }
 
 /// What friction does in sum; all zero without.
@@ -72,6 +74,7 @@ impl<const D: usize> Tractions<D> {
             on_obstacle: (Vector::zeros(), [0.0; 3]),
             tangent: Tangent { blocks: Vec::new(), rank_one: Vec::new() },
             totals: FrictionTotals { dissipated: energy, ..FrictionTotals::default() },
+            limited: Vec::new(),
         }
     }
 
@@ -110,7 +113,18 @@ impl<const D: usize> Tractions<D> {
         totals.dissipated += slipping.released;
         let (nodes, of_b, forces) = sums.into_nodes();
         let tangent = Tangent { blocks: blocks.into_blocks(), rank_one: Vec::new() };
-        Self { partners: slipping.partners, nodes, of_b, forces, on_obstacle, tangent, totals }
+        Self { partners: slipping.partners, nodes, of_b, forces, on_obstacle, tangent, totals, limited: Vec::new() }
+    }
+
+    /// The same with what grows with the limits.
+    pub(crate) fn with_limited(mut self, slipping: &SlipFacets<D>, node_count: usize) -> Self {
+        for (facet, rows, traction) in slipping.tractions() {
+            let along = traction.by_limit * (facet.slider.limit * facet.area);
+            for row in rows.iter().filter(|row| !row.mover.turns && (row.mover.node as usize) < node_count) {
+                self.limited.push((row.mover.node, -(row.slip.transpose() * along)));
+            }
+        }
+        self
     }
 }
 

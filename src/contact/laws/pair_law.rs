@@ -52,6 +52,8 @@ pub(crate) struct Asked {
     pub(crate) slides: bool,
     /// The rotation of the obstacle in the tangent, which needs the gradient.
     pub(crate) rotations: bool,
+    /// The part of frictional forces that grows with their limits.
+    pub(crate) limited: bool,
 }
 
 impl Asked {

@@ -86,6 +86,15 @@ impl<const D: usize> Partners<D> {
         }
     }
 
+    /// The stiffness k of the law that a pair follows.
+    pub(crate) fn stiffness_of(&self, pair: &[Partner; 2], options: &Options) -> f64 {
+        match (self.table.options(pair).and_then(|own| own.law), &self.layers) {
+            (Some(own), _) => own.stiffness(),
+            (None, Some(layers)) if options.law.is_without_stiffness() => layers.stiffness().of_pair(*pair),
+            (None, _) => options.law.stiffness(),
+        }
+    }
+
     /// Refuses a law whose stiffness nobody has given or found yet.
     pub(crate) fn check_stiffness(&self, options: &Options) -> Result<(), Error> {
         let is_unknown = options.law.is_without_stiffness() && self.layers.is_none();

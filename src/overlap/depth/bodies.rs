@@ -3,7 +3,7 @@
 //!
 //! `cell_pieces` (the pieces near by) · `facet_clip`, `facet_part`, `facet_integrals`, `facet_blocks`, `point_sums` (over the facets
 //! inside the other) · `boundary_moments`, `inside_moments`, `piece_moments`, `cell_integrals` (over the overlap) · `deep_bodies`,
-//! `two_bodies` (both sides together)
+//! `two_bodies` (both sides together) · `depth_slopes` (by what the pieces have)
 
 #[cfg(test)]
 mod against_clipping;
@@ -11,6 +11,7 @@ mod boundary_moments;
 mod cell_integrals;
 mod cell_pieces;
 mod deep_bodies;
+mod depth_slopes;
 mod facet_blocks;
 mod facet_clip;
 mod facet_integrals;
@@ -22,6 +23,7 @@ mod two_bodies;
 
 pub(super) use cell_pieces::CellPieces;
 pub(super) use deep_bodies::{CHUNK, DeepBodies};
+pub(crate) use depth_slopes::{DepthSeeds, depth_slopes};
 pub(super) use facet_clip::{Found, clip};
 pub(super) use facet_integrals::FLAT;
 pub(super) use facet_part::FacetPart;

@@ -6,7 +6,7 @@ one call or by a ``Contact`` that is kept. Forces push bodies apart. Units are t
 
     search  ->  contact_force, OnUnknowns, PartitionedContact  ->  Contact
             ->  its parts: mesh, obstacles, pairs, friction, multipliers, patches, pattern, ranks
-            ->  creation, _core, options; results: result, fields, boundary, gaps, points, tangent
+            ->  creation, _core, options; results: result, fields, gradients, boundary, gaps, points, tangent
             ->  _handle, _arrays  ->  _library  ->  _signatures, _structs  ->  errors
 """
 
@@ -19,6 +19,7 @@ from .contact_step import ContactStep
 from .errors import FmcError
 from .fields import ContactPoints, NodalContact
 from .gaps import GapConstraints
+from .gradients import Gradients, PairGradient
 from .mesh import Adjustment
 from .multipliers import MULTIPLIER, Augmentation
 from .on_unknowns import OnUnknowns
@@ -76,6 +77,7 @@ __all__ = [
     "Friction",
     "GapConstraints",
     "GatheredCounts",
+    "Gradients",
     "NoSupportError",
     "NodalContact",
     "NotConvergedError",
@@ -83,6 +85,7 @@ __all__ = [
     "Options",
     "OtherOptions",
     "Pair",
+    "PairGradient",
     "Part",
     "PartitionedContact",
     "PointWeights",

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ctypes import byref, c_double, c_size_t
-from typing import Any, Callable, Optional
+from typing import Any, Callable, Iterable, Optional
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -19,6 +19,7 @@ from .contact_step import ContactStep, contact_step
 from .fields import ContactPoints, NodalContact, contact_points, nodal_contact
 from .friction import FrictionSteps
 from .gaps import GapConstraints, gap_constraints
+from .gradients import NAMES, Gradients, gradients
 from .mesh import Mesh
 from .multipliers import Multipliers
 from .obstacles import Obstacles
@@ -560,6 +561,55 @@ class Contact:
         """
         with self._core.handle:
             return tie_constraints(self._core.handle, self._core.options.index_base)
+
+    def vjp(
+        self, coords: ArrayLike, adjoint: Optional[ArrayLike] = None, energy: float = 0.0, by: Iterable[str] = ("coords",)
+    ) -> Gradients:
+        """Derivatives of ``energy * w + (adjoint * forces).sum()``, w being the contact energy: exact, each with all else held.
+
+        Parameters
+        ----------
+        coords : array_like, (n, dim) or (dim, n)
+            Current coordinates of all nodes.
+        adjoint : array_like, (n, dim) or (dim, n), optional
+            Factors of the nodal forces, friction included. Default: zeros.
+        energy : float
+            Factor of the contact energy, of which friction is no part.
+        by : iterable of str
+            What to differentiate by; nothing else is computed. ``"coords"`` · ``"reference"``, the undeformed coordinates, from which
+            the law ``"depth"`` has its depths · ``"positions"`` and ``"rotations"`` of the obstacles · ``"stiffness"``,
+            ``"gap_offset"`` and ``"friction"`` (coefficient) of the pairs.
+
+        Returns
+        -------
+        Gradients
+            One array, or one number for each pair, for what was asked for.
+
+        Raises
+        ------
+        ValueError
+            If a name in ``by`` is unknown.
+        UnsupportedError
+            For a derivative that the library does not have; docs/gradients.md lists them.
+        FmcError
+            As ``tangent`` raises.
+
+        Examples
+        --------
+        >>> gradients = contact.vjp(coords, energy=1.0, by=["coords", "stiffness"])
+        >>> gradients.coords.shape == coords.shape
+        True
+        """
+        names = tuple(by)
+        for name in names:
+            if name not in NAMES:
+                raise ValueError(f"'by' has no value '{name}', expected {', '.join(NAMES)}")
+        dim = self._core.dim
+        view = coords_view(coords, dim)
+        forces = None if adjoint is None else coords_view(adjoint, dim, "adjoint")
+        count = self._core.obstacle_count
+        with self._core.handle:
+            return gradients(self._core.handle, view, float(energy), forces, names, count, dim)
 
     def gap_constraints(self, coords: ArrayLike, reach: float) -> GapConstraints:
         """Weighted gaps of all nodes near a partner, apart or overlapping, with their derivative.

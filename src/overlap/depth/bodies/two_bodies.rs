@@ -52,7 +52,7 @@ impl<const D: usize> DeepBodies<'_, D> {
     }
 
     /// What the facets of either body have inside the other, and the moments of the overlap in the pieces of either.
-    fn inside_each_other<M: Moments>(
+    pub(super) fn inside_each_other<M: Moments>(
         &self,
         sides: [&FacetSide<D>; 2],
         [of_a, of_b]: [&CellPieces<D>; 2],
@@ -91,7 +91,7 @@ impl<const D: usize> DeepBodies<'_, D> {
         self.assemble(vec![facets], &[(&all, &moments)])
     }
 
-    fn inside_itself<M: Moments>(&self, all: &CellPieces<D>, region: &Region<D>) -> (FacetSums<D>, Vec<M>) {
+    pub(super) fn inside_itself<M: Moments>(&self, all: &CellPieces<D>, region: &Region<D>) -> (FacetSums<D>, Vec<M>) {
         let (a, bounds) = (&self.pair.a, self.pair.bounds(region));
         let (sums, (shares, doubtful)) =
             self.facets(a, (&region.facets[0], bounds), (false, true), all, a.aabb.rounding());

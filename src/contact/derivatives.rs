@@ -1,0 +1,14 @@
+//! Derivatives of energy and forces by what they depend on, for design, identification and learning.
+//!
+//! `request` (what is differentiated, and by what) · `gradients` (what comes out) · `answers` (from what the laws answer) ·
+//! `obstacle_row` (by how obstacles stand)
+
+mod answers;
+mod gradients;
+mod obstacle_row;
+mod request;
+
+pub(super) use answers::{State, add_answers};
+pub use gradients::{Gradients, PairGradient};
+pub use request::GradientRequest;
+pub(super) use request::Seeds;

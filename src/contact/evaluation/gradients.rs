@@ -1,0 +1,114 @@
+//! Derivatives of energy and forces.
+
+use super::measured::measured_pairs;
+use super::parts::Contact;
+use super::points::Points;
+use super::sliding::check_ready;
+use super::walk::for_each_pair;
+use crate::Error;
+use crate::contact::derivatives::{GradientRequest, Gradients, Seeds, State, add_answers};
+use crate::contact::laws::{Asked, Measured};
+use crate::contact::tangents::TangentPart;
+use crate::overlap::{DepthSeeds, Partner, depth_slopes};
+
+/// The derivatives at points of the straight mesh; `adjoint` has those of the forces by unknown, or is empty.
+pub(super) fn gradients_in<const D: usize>(
+    contact: &Contact<D>,
+    coords: &Points<D>,
+    energy: f64,
+    adjoint: &[f64],
+    request: &GradientRequest,
+) -> Result<Gradients<D>, Error> {
+    check_ready(contact)?;
+    if !contact.ties.is_empty() && (request.reference || request.stiffness || request.gap_offsets || request.friction) {
+        let what = "a derivative with bodies that are tied, but by coordinates and poses";
+        return Err(Error::Unsupported { what });
+    }
+    let Contact { mesh, partners, method, history, .. } = contact;
+    let rows: Vec<[f64; D]> = adjoint.chunks_exact(D).map(|row| std::array::from_fn(|i| row[i])).collect();
+    let expected = mesh.surface.unknown_count();
+    if !adjoint.is_empty() && (rows.len() != expected || adjoint.len() != expected * D) {
+        return Err(Error::Length { array: "adjoint", expected: expected * D, found: adjoint.len() });
+    }
+    if let Some(entry) = adjoint.iter().position(|entry| !entry.is_finite()) {
+        return Err(Error::NonFiniteStiffness { array: "adjoint", entry });
+    }
+    let points = if adjoint.is_empty() { None } else { Some(mesh.surface.mesh_points(&rows)?) };
+    let seeds = Seeds { energy, forces: points.as_deref() };
+    let obstacles = partners.obstacles.count();
+    let mut found = Gradients { coords: vec![[0.0; D]; coords.len()], ..Gradients::default() };
+    if request.positions {
+        found.positions = vec![[0.0; D]; obstacles];
+    }
+    if request.rotations {
+        found.rotations = vec![[0.0; 3]; obstacles];
+    }
+    if request.needs_answers() {
+        let tangent = (request.needs_tangent() && seeds.forces.is_some()).then_some(TangentPart::Full);
+        let rotations = request.rotations && obstacles > 0 && tangent.is_some() && !method.options().axisymmetric;
+        let asked = Asked { energy: true, tangent, rotations, limited: request.friction, ..Asked::default() };
+        let (answers, tractions) = measured_pairs(contact, coords, &asked)?;
+        let is_kept = |pair: &[Partner; 2]| history.patches.of(pair).is_some();
+        let (is_frozen, may_be_curved) = (history.frozen.is_some(), mesh.may_be_curved());
+        let state = State { is_kept: &is_kept, is_frozen, may_be_curved };
+        add_answers((partners, method), (&answers, &tractions), (&seeds, request, &state), &mut found)?;
+    }
+    if !request.coords {
+        found.coords = Vec::new();
+    }
+    if request.reference {
+        found.reference = by_reference(contact, coords, &seeds)?;
+    }
+    found.checked()
+}
+
+/// The derivative by the reference coordinates: of pairs of bodies by the law `depth`, since no other has anything of them.
+fn by_reference<const D: usize>(
+    contact: &Contact<D>,
+    coords: &[[f64; D]],
+    seeds: &Seeds<D>,
+) -> Result<Vec<[f64; D]>, Error> {
+    let Contact { mesh, work, .. } = contact;
+    let cells = for_each_pair(contact, coords, |measured| {
+        if !depends_on_reference(contact, measured)? {
+            return Ok(None);
+        }
+        let sharing = work.within_pair(false);
+        let Some(slopes) = mesh.reference_slopes(&|| sharing.check()) else { return Ok(None) };
+        let k = measured.law.initial_stiffness().unwrap_or(0.0);
+        let of_pair = depth_slopes(measured.pair, slopes, &DepthSeeds { energy: seeds.energy, motion: seeds.forces })?;
+        Ok(Some((of_pair, k)))
+    })?;
+    let mut all = Vec::new();
+    for (of_pair, k) in cells {
+        all.extend(of_pair.into_iter().map(|cell| cell.times(k)));
+    }
+    let sharing = work.within_pair(false);
+    Ok(match mesh.reference_slopes(&|| sharing.check()).filter(|_| !all.is_empty()) {
+        Some(slopes) => slopes.by_reference(&mesh.surface, &all),
+        None => vec![[0.0; D]; coords.len()],
+    })
+}
+
+/// Whether a pair depends on the reference coordinates, in a way that can be differentiated.
+fn depends_on_reference<const D: usize>(contact: &Contact<D>, measured: &Measured<D>) -> Result<bool, Error> {
+    let Contact { mesh, partners, method, work, .. } = contact;
+    let rubs = partners.friction_of(&measured.pair.partners, method.options()).is_active();
+    if matches!(measured.pair.partners[1], Partner::Obstacle(_)) || !measured.law.needs_depth() && !rubs {
+        return Ok(false);
+    }
+    let refused = |what| Err(Error::Unsupported { what });
+    match measured.law.needs_depth() {
+        _ if rubs && !measured.law.is_local() => refused("the derivative of friction by reference coordinates"),
+        false => Ok(false),
+        true if !method.weighting().is_plain() => refused("the derivative by reference coordinates with axisymmetry"),
+        true if mesh.may_be_curved() => refused("the derivative by reference coordinates of curved faces"),
+        true if mesh.surface.submesh.is_some() || work.ranks().is_some() => {
+            refused("the derivative by reference coordinates on several ranks")
+        }
+        true if mesh.surface.cells.as_ref().is_some_and(|cells| !cells.hanging().is_empty()) => {
+            refused("the derivative by reference coordinates of a mesh with hanging nodes")
+        }
+        true => Ok(true),
+    }
+}

@@ -1,0 +1,54 @@
+//! What the laws answer for every pair, and what friction adds.
+
+use super::parts::Contact;
+use super::points::Points;
+use super::sliding::{check_ready, released, sliding};
+use super::walk::for_each_pair;
+use crate::Error;
+use crate::contact::friction::{SlipFacets, Tractions};
+use crate::contact::laws::{Answer, Asked};
+use crate::contact::results::add_rotation;
+use crate::overlap::Partner;
+
+/// What is asked of every pair, with its friction.
+pub(super) fn measured_pairs<const D: usize>(
+    contact: &Contact<D>,
+    coords: &Points<D>,
+    asked: &Asked,
+) -> Result<(Vec<Answer<D>>, Vec<Tractions<D>>), Error> {
+    check_ready(contact)?;
+    let rotations = asked.rotations.then_some(contact.partners.obstacles.count());
+    let tractions_of = |facets: &SlipFacets<D>| {
+        let tractions = Tractions::new(facets, coords.len(), asked.tangent, rotations);
+        if asked.limited { tractions.with_limited(facets, coords.len()) } else { tractions }
+    };
+    let found = for_each_pair(contact, coords, |measured| {
+        let slides = if contact.history.frozen.is_none() { sliding(contact, measured)? } else { None };
+        let (slides_here, wants_energy) = (slides.is_some(), asked.energy);
+        let asked = Asked { slides: slides_here, energy: wants_energy || asked.rotations, ..*asked };
+        let Some(mut answer) = measured.law.measure(measured, &asked)? else { return Ok(None) };
+        if let Some(part) = asked.tangent.filter(|_| asked.rotations) {
+            add_rotation(measured, &mut answer, part, contact.partners.obstacles.count())?;
+            answer.energy = answer.energy.filter(|_| wants_energy);
+        }
+        let tractions = slides.map(|sliding| {
+            let facets = SlipFacets::new(measured, &sliding, &std::mem::take(&mut answer.points));
+            tractions_of(&facets)
+        });
+        Ok(Some((answer, tractions)))
+    })?;
+    let (mut answers, tractions): (Vec<_>, Vec<_>) = found.into_iter().unzip();
+    if !contact.ties.is_empty() {
+        let stiffness = |pair| contact.stiffness_of_pair(pair);
+        for (energy, tangent) in contact.ties.measured(coords.unshifted, stiffness, (asked.energy, asked.tangent))? {
+            answers.push(Answer { energy, tangent, nodal_sums: None, points: Vec::new() });
+        }
+    }
+    let mut tractions: Vec<_> = tractions.into_iter().flatten().collect();
+    let frozen = contact.history.frozen_at(coords, &contact.partners.obstacles.poses());
+    tractions.extend(frozen.iter().map(tractions_of));
+    let pairs: Vec<[Partner; 2]> = tractions.iter().map(|pair| pair.partners).collect();
+    let gone = released(contact, &pairs)?;
+    tractions.extend(gone.into_iter().map(|(pair, energy)| Tractions::released(pair, energy)));
+    Ok((answers, tractions))
+}

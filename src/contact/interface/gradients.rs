@@ -1,0 +1,40 @@
+//! Derivatives for hosts that optimise, identify or learn.
+
+use crate::Error;
+use crate::contact::derivatives::{GradientRequest, Gradients};
+use crate::contact::evaluation::{Contact, kernels};
+
+impl<const D: usize> Contact<D> {
+    /// The derivatives of `energy` · w + `adjoint` · F, by what `request` names: w is the contact energy and F are the nodal forces at
+    /// `coords`, friction included, which is no part of w. An `adjoint` of `None` is zero, else it has the shape of `coords`.
+    ///
+    /// All are exact, and partial: each with all else held. With friction the slip at the start of the step is held. Where a
+    /// depth has a kink, at equal distance from two faces, it is the derivative on one side.
+    ///
+    /// # Errors
+    /// As [`Self::tangent`]; [`Error::Length`] and [`Error::NonFiniteStiffness`] for the adjoint; [`Error::Unsupported`] for a
+    /// derivative that is not known. By coordinates and poses: with the law `fiber` unless patches are kept; of sampled energies unless
+    /// weights are consistent and `momentum_correction` is off; of forces that are sampled, between curved faces in 3D, and
+    /// frictional unless friction is frozen. By the reference: with axisymmetry, friction, curved faces,
+    /// hanging nodes, ranks, and of forces with a gap offset between bodies. By stiffness and gap offset: of frictional forces.
+    /// By gap offsets: of pairs other than bodies with half-spaces. By the coefficient of friction: where it is 0, and with static
+    /// friction, cohesion or a shear limit. By rotations: with the law `fiber`.
+    pub fn vjp(
+        &self,
+        coords: &[[f64; D]],
+        energy: f64,
+        adjoint: Option<&[[f64; D]]>,
+        request: &GradientRequest,
+    ) -> Result<Gradients<D>, Error> {
+        if let Some(adjoint) = adjoint
+            && adjoint.len() != self.mesh.surface.unknown_count()
+        {
+            let expected = self.mesh.surface.unknown_count();
+            return Err(Error::Length { array: "adjoint", expected, found: adjoint.len() });
+        }
+        if !energy.is_finite() {
+            return Err(Error::NonFiniteStiffness { array: "energy", entry: 0 });
+        }
+        kernels::gradients(self, coords, energy, adjoint.map_or(&[], |adjoint| adjoint.as_flattened()), request)
+    }
+}
