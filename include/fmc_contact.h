@@ -1985,6 +1985,15 @@ fmc_status fmc_condensation_expand(const fmc_condensation *condensation,
 
 // ---- Outputs: at nodes, at points, on facets -------------------------------------------------------------
 
+// Flag of `fmc_gradients`: by the stiffness of every pair that touches.
+#define FMC_GRADIENT_STIFFNESS 1
+
+// Flag of `fmc_gradients`: by the gap offset of every pair that touches.
+#define FMC_GRADIENT_GAP_OFFSET 2
+
+// Flag of `fmc_gradients`: by the coefficient of friction of every pair that touches.
+#define FMC_GRADIENT_FRICTION 4
+
 // Whether a node is in contact.
 typedef enum {
   // No facet at the node is in contact.
@@ -2175,6 +2184,50 @@ typedef struct {
   uint64_t reserved[4];
 } fmc_boundary_facet;
 
+// By what `fmc_context_vjp` differentiates, and where that goes: arrays of the host, each NULL where it is not asked for, which is then
+// not computed. With n rows of `coords` and m obstacles, removed ones included, all in dense rows.
+//
+// New fields take the place of reserved ones; the size of the struct does not change.
+typedef struct {
+  // Set by `fmc_gradients_init`, so that a struct that was not initialised is recognised.
+  size_t struct_size;
+  // By the coordinates: room for n * dim numbers.
+  double *coords;
+  // By the coordinates without deformation, as `fmc_context_set_reference` takes them, the current ones held: room for n * dim
+  // numbers. The law "depth" has its depths from them; other laws do not depend on them.
+  double *reference;
+  // By the position of every obstacle: room for m * dim numbers.
+  double *positions;
+  // By a rotation vector of every obstacle about its position: room for m * 3 numbers; in 2D only the last of three differs from zero.
+  double *rotations;
+  // What is asked for of every pair: a sum of `FMC_GRADIENT_STIFFNESS`, `FMC_GRADIENT_GAP_OFFSET` and `FMC_GRADIENT_FRICTION`, or 0.
+  uint32_t of_pairs;
+  // Zero. Room for what later versions know.
+  uint64_t reserved[8];
+} fmc_gradients;
+
+// Derivatives by what one pair has; 0 for what was not asked for.
+typedef struct {
+  // Size of this struct, as the library wrote it.
+  size_t struct_size;
+  // First side: a value of `fmc_partner`.
+  int32_t a_kind;
+  // Second side: a value of `fmc_partner`.
+  int32_t b_kind;
+  // First side: index for `fmc_context_body_resultant` or `fmc_context_obstacle_resultant`.
+  size_t a;
+  // Second side; the same as the first for a body that overlaps itself.
+  size_t b;
+  // By the stiffness k of the pair's law.
+  double stiffness;
+  // By its gap offset.
+  double gap_offset;
+  // By its coefficient of friction.
+  double friction;
+  // Zero.
+  uint64_t reserved[4];
+} fmc_pair_gradient;
+
 // Asks for nothing: all pointers NULL.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`. Threads: any, on different structs.
@@ -2328,6 +2381,37 @@ fmc_status fmc_context_point_weights(const fmc_context *context,
                                      double *weights,
                                      size_t capacity,
                                      size_t *count);
+
+// Asks for nothing: all pointers NULL.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`. Threads: any, on different structs.
+fmc_status fmc_gradients_init(fmc_gradients *gradients);
+
+// The derivatives of `energy` * w + `adjoint` . F at `coords`, by what `gradients` names: w is the contact energy and F are the nodal
+// forces, friction included, which is no part of w. `adjoint` has the shape of `coords`; NULL stands for zeros. A host that
+// minimises J(x) with contact in equilibrium passes the solution of the adjoint system, with `energy` 0.
+//
+// All are exact, and partial: each with all else held, the slip at the start of the step too. Where two faces are equally near to a
+// node, the depth has a kink, and the derivative is that of one side.
+//
+// `count` becomes the number of pairs that touch, 0 unless something of pairs is asked for; `pairs` has room for `capacity`.
+//
+// Errors: as `fmc_context_tangent`; `FMC_ERROR_LENGTH`, `FMC_ERROR_STRUCT_SIZE`, `FMC_ERROR_RESERVED_FIELD`, `FMC_ERROR_UNKNOWN_FLAG`
+// and `FMC_ERROR_BUFFER_TOO_SMALL`. `FMC_ERROR_UNSUPPORTED` for a derivative that is not known, never a zero. By coordinates and
+// poses: with the law "fiber" unless patches are kept; of sampled energies unless weights are "consistent" and
+// `momentum_correction` is 0; of forces that are sampled, between curved faces in 3D, and frictional unless friction is frozen. By the
+// reference: with axisymmetry, friction, curved faces, hanging nodes, ranks, and of forces with a gap offset between bodies. By stiffness
+// and gap offset: of frictional forces. By gap offsets: of pairs other than bodies with half-spaces. By the coefficient of friction: where
+// it is 0, and with static friction, cohesion or a shear limit. By rotations: with the law "fiber". Nothing is written then. Threads: one
+// call at a time on a context.
+fmc_status fmc_context_vjp(fmc_context *context,
+                           const fmc_coords *coords,
+                           double energy,
+                           const fmc_coords *adjoint,
+                           const fmc_gradients *gradients,
+                           fmc_pair_gradient *pairs,
+                           size_t capacity,
+                           size_t *count);
 
 // ---- Restart ---------------------------------------------------------------------------------------------
 

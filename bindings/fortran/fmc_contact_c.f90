@@ -19,6 +19,9 @@ module fmc_contact_c
   integer(c_int32_t), parameter :: FMC_TANGENT_SYMMETRIC = 32
   integer(c_int32_t), parameter :: FMC_CSR_BLOCKS = 4
   integer(c_int32_t), parameter :: FMC_CSR_OBSTACLES = 8
+  integer(c_int32_t), parameter :: FMC_GRADIENT_STIFFNESS = 1
+  integer(c_int32_t), parameter :: FMC_GRADIENT_GAP_OFFSET = 2
+  integer(c_int32_t), parameter :: FMC_GRADIENT_FRICTION = 4
   integer(c_int32_t), parameter :: FMC_OK = 0
   integer(c_int32_t), parameter :: FMC_ERROR_NULL_POINTER = 1
   integer(c_int32_t), parameter :: FMC_ERROR_MISALIGNED_POINTER = 2
@@ -549,6 +552,28 @@ module fmc_contact_c
     integer(c_int32_t) :: local_face
     integer(c_int32_t) :: node_count
     integer(c_int64_t) :: nodes(4)
+    integer(c_int64_t) :: reserved(4)
+  end type
+
+  type, bind(c) :: fmc_gradients
+    integer(c_size_t) :: struct_size
+    type(c_ptr) :: coords
+    type(c_ptr) :: reference
+    type(c_ptr) :: positions
+    type(c_ptr) :: rotations
+    integer(c_int32_t) :: of_pairs
+    integer(c_int64_t) :: reserved(8)
+  end type
+
+  type, bind(c) :: fmc_pair_gradient
+    integer(c_size_t) :: struct_size
+    integer(c_int32_t) :: a_kind
+    integer(c_int32_t) :: b_kind
+    integer(c_size_t) :: a
+    integer(c_size_t) :: b
+    real(c_double) :: stiffness
+    real(c_double) :: gap_offset
+    real(c_double) :: friction
     integer(c_int64_t) :: reserved(4)
   end type
 
@@ -1301,6 +1326,24 @@ module fmc_contact_c
       integer(c_size_t), value :: capacity
       integer(c_size_t), intent(inout), optional :: count
       integer(c_int32_t) :: fmc_context_point_weights
+    end function
+    function fmc_gradients_init(gradients) bind(c)
+      import
+      type(fmc_gradients), intent(inout), optional :: gradients
+      integer(c_int32_t) :: fmc_gradients_init
+    end function
+    function fmc_context_vjp(context, coords, energy, adjoint, gradients, pairs, capacity, &
+        count) bind(c)
+      import
+      type(c_ptr), value :: context
+      type(fmc_coords), intent(in), optional :: coords
+      real(c_double), value :: energy
+      type(fmc_coords), intent(in), optional :: adjoint
+      type(fmc_gradients), intent(in), optional :: gradients
+      type(fmc_pair_gradient), intent(inout), optional :: pairs
+      integer(c_size_t), value :: capacity
+      integer(c_size_t), intent(inout), optional :: count
+      integer(c_int32_t) :: fmc_context_vjp
     end function
     function fmc_context_slip(context, slip, capacity, count) bind(c)
       import

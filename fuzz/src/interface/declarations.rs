@@ -14,6 +14,9 @@ pub const FMC_TANGENT_SEMIDEFINITE: u32 = 2;
 pub const FMC_TANGENT_SYMMETRIC: u32 = 32;
 pub const FMC_CSR_BLOCKS: u32 = 4;
 pub const FMC_CSR_OBSTACLES: u32 = 8;
+pub const FMC_GRADIENT_STIFFNESS: i32 = 1;
+pub const FMC_GRADIENT_GAP_OFFSET: i32 = 2;
+pub const FMC_GRADIENT_FRICTION: i32 = 4;
 pub const FMC_OK: i32 = 0;
 pub const FMC_ERROR_NULL_POINTER: i32 = 1;
 pub const FMC_ERROR_MISALIGNED_POINTER: i32 = 2;
@@ -637,6 +640,32 @@ pub struct fmc_boundary_facet {
 }
 
 #[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct fmc_gradients {
+    pub struct_size: usize,
+    pub coords: *mut f64,
+    pub reference: *mut f64,
+    pub positions: *mut f64,
+    pub rotations: *mut f64,
+    pub of_pairs: u32,
+    pub reserved: [u64; 8],
+}
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct fmc_pair_gradient {
+    pub struct_size: usize,
+    pub a_kind: i32,
+    pub b_kind: i32,
+    pub a: usize,
+    pub b: usize,
+    pub stiffness: f64,
+    pub gap_offset: f64,
+    pub friction: f64,
+    pub reserved: [u64; 4],
+}
+
+#[repr(C)]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct fmc_communicator {
     pub struct_size: usize,
@@ -800,6 +829,8 @@ unsafe extern "C" {
     pub fn fmc_context_tie_constraints(context: *const fmc_context, row_offsets: *mut c_void, offset_capacity: usize, offset_count: *mut usize, cols: *mut c_void, values: *mut f64, capacity: usize, count: *mut usize) -> fmc_status;
     pub fn fmc_context_boundary_facets(context: *const fmc_context, facets: *mut fmc_boundary_facet, capacity: usize, count: *mut usize) -> fmc_status;
     pub fn fmc_context_point_weights(context: *const fmc_context, row_offsets: *mut c_void, offset_capacity: usize, offset_count: *mut usize, nodes: *mut c_void, weights: *mut f64, capacity: usize, count: *mut usize) -> fmc_status;
+    pub fn fmc_gradients_init(gradients: *mut fmc_gradients) -> fmc_status;
+    pub fn fmc_context_vjp(context: *mut fmc_context, coords: *const fmc_coords, energy: f64, adjoint: *const fmc_coords, gradients: *const fmc_gradients, pairs: *mut fmc_pair_gradient, capacity: usize, count: *mut usize) -> fmc_status;
     pub fn fmc_context_slip(context: *const fmc_context, slip: *mut f64, capacity: usize, count: *mut usize) -> fmc_status;
     pub fn fmc_context_set_slip(context: *mut fmc_context, slip: *const f64, count: usize) -> fmc_status;
     pub fn fmc_context_multipliers(context: *const fmc_context, rows: *mut fmc_multiplier, capacity: usize, count: *mut usize) -> fmc_status;

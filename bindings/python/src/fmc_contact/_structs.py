@@ -491,6 +491,32 @@ class fmc_boundary_facet(Structure):
     ]
 
 
+class fmc_gradients(Structure):
+    _fields_ = [
+        ("struct_size", c_size_t),
+        ("coords", c_void_p),
+        ("reference", c_void_p),
+        ("positions", c_void_p),
+        ("rotations", c_void_p),
+        ("of_pairs", c_uint32),
+        ("reserved", c_uint64 * 8),
+    ]
+
+
+class fmc_pair_gradient(Structure):
+    _fields_ = [
+        ("struct_size", c_size_t),
+        ("a_kind", c_int32),
+        ("b_kind", c_int32),
+        ("a", c_size_t),
+        ("b", c_size_t),
+        ("stiffness", c_double),
+        ("gap_offset", c_double),
+        ("friction", c_double),
+        ("reserved", c_uint64 * 4),
+    ]
+
+
 class fmc_communicator(Structure):
     _fields_ = [
         ("struct_size", c_size_t),
