@@ -32,13 +32,17 @@ pub(super) struct CellDivision<'a, const D: usize> {
     pub(super) simplices: Vec<CellSimplex>,
     /// Whether parts with facets are divided about their centres also where the depth is the height above each facet already.
     about_centres: bool,
+    /// Whether another division is due as soon as the reference moves: a depth is the height above a facet by chance. Told with
+    /// `about_centres` alone.
+    pub(super) hangs_on_chance: bool,
 }
 
 impl<'a, const D: usize> CellDivision<'a, D> {
     pub(super) fn new(near: &'a NearSurface<'a, D>, cell: usize, about_centres: bool) -> Self {
         let (cell_type, nodes) = (near.cells.cell_type(cell), near.cells.nodes(cell));
         let (points, origins, simplices) = (Vec::new(), Vec::new(), Vec::new());
-        let mut division = Self { near, cell, cell_type, nodes, points, origins, simplices, about_centres };
+        let mut division =
+            Self { near, cell, cell_type, nodes, points, origins, simplices, about_centres, hangs_on_chance: false };
         for (number, weights) in own_points(cell_type).enumerate() {
             let (depth, origin) = division.depth_of_own_point(number, &weights);
             division.points.push(CellPoint { weights, depth });
@@ -77,6 +81,9 @@ impl<'a, const D: usize> CellDivision<'a, D> {
         } else {
             part.corners[..=D].iter().any(|&corner| self.depth(corner) > 0.0)
         };
+        if self.about_centres && has_facet && is_complete && !points.is_empty() {
+            self.hangs_on_chance |= !simplices.iter().all(|simplex| self.stands_on_its_facets(part, simplex));
+        }
         // The depth of a part that is not divided is linear, and that of the centre too.
         let is_linear = has_facet && points.is_empty();
         let wants_centre = !is_complete || self.about_centres && is_linear;
@@ -148,6 +155,29 @@ impl<'a, const D: usize> CellDivision<'a, D> {
             let rounding = ROUNDINGS * rounding_of_height(&corners, k);
             (self.depth(simplex.corners[k]) - height).abs() <= (ROUNDING * height).max(rounding)
         })
+    }
+
+    /// Whether the facets below a simplex are nearest to the corners opposite to them.
+    fn stands_on_its_facets(&self, part: &Part, simplex: &Kept) -> bool {
+        (0..=D).filter(|&k| self.has_facet_below(part, simplex, k)).all(|k| {
+            let corner = simplex.corners[k] as usize;
+            let nearest = match corner.checked_sub(self.nodes.len()).map(|point| self.origins[point]) {
+                None => self.near.anchor(self.nodes[corner]),
+                Some(PointOrigin::Distance { facet }) => facet,
+                Some(_) => return false,
+            };
+            let mut below: Vec<_> = (0..=D).filter(|&c| c != k).map(|c| self.row(simplex.corners[c])).collect();
+            below.sort_unstable();
+            below == self.near.rows_of_facet(nearest)
+        })
+    }
+
+    /// The nodes that have a part in a corner, ascending, with the bits of their weights.
+    fn row(&self, corner: u8) -> Vec<(u32, u64)> {
+        let weights = self.nodes.iter().zip(self.weights(corner)).filter(|(_, weight)| *weight != 0.0);
+        let mut row: Vec<(u32, u64)> = weights.map(|(&node, weight)| (node, weight.to_bits())).collect();
+        row.sort_unstable();
+        row
     }
 
     /// Whether the face of a simplex of a part that is opposite to a corner is a facet.

@@ -10,6 +10,7 @@ use super::point_origin::PointOrigin;
 use crate::geometry::nearest_on_facet::nearest;
 use crate::geometry::symmetry::Symmetry;
 use crate::geometry::{Surface, Vector, Weighting};
+use rustc_hash::FxHashSet;
 
 /// What is asked by the corners of the pieces of one cell, in the order of their numbers: first its nodes, then its points.
 pub(crate) struct CellSlopes {
@@ -34,15 +35,28 @@ pub(crate) struct ReferenceSlopes<const D: usize> {
     pub(crate) field: DepthField<D>,
     /// Origins of the points of cells that have nodes on the surface; none of the others.
     origins: Vec<Vec<PointOrigin>>,
+    /// Cells whose depth jumps as the reference moves, since it is the height above a facet by chance.
+    by_chance: FxHashSet<u32>,
 }
 
 impl<const D: usize> ReferenceSlopes<D> {
     /// Of a surface of flat faces; `None` for one without cells.
     pub(crate) fn new(surface: &Surface<D>, symmetry: Option<&Symmetry<D>>, check: &dyn Fn()) -> Option<Self> {
         let mut origins = vec![Vec::new(); surface.cells.as_ref()?.len()];
-        let mut tell = |cell: usize, of_cell: Vec<PointOrigin>| origins[cell] = of_cell;
+        let mut by_chance = FxHashSet::default();
+        let mut tell = |cell: usize, of_cell: Vec<PointOrigin>, hangs_on_chance: bool| {
+            origins[cell] = of_cell;
+            if hangs_on_chance {
+                by_chance.insert(cell as u32);
+            }
+        };
         let field = DepthField::divided(surface, symmetry, (Weighting::Plain, None), check, (true, &mut tell))?;
-        Some(Self { field, origins })
+        Some(Self { field, origins, by_chance })
+    }
+
+    /// Whether the depth of none of these cells jumps as the reference moves.
+    pub(crate) fn is_smooth(&self, cells: &[CellSlopes]) -> bool {
+        cells.iter().all(|of_cell| !self.by_chance.contains(&of_cell.cell))
     }
 
     /// Number of nodes and points of a cell.
