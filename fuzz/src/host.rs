@@ -13,6 +13,7 @@ mod evaluation;
 mod fields;
 mod friction;
 mod getters;
+mod gradients;
 mod numbers;
 mod obstacles;
 mod options;
@@ -101,7 +102,10 @@ impl Host {
                 self.contact_step(*which, i64::from(*shift), numbers, *fault, *hole);
             }
             Call::Condensation { which, shift, value, hole } => condensation::chain(*which, *shift, value.0, *hole),
-            Call::Fields { read, hole } => self.fields(*read, *hole),
+            Call::Fields { read, hole } => {
+                self.fields(*read, *hole);
+                self.gradients(*read, *hole);
+            }
             Call::Augment { reach, enough, damage, hole } => self.augment(reach.0, enough.0, damage.0, *hole),
             Call::Gaps { reach, hole } => {
                 self.gaps(reach.0, *hole);

@@ -108,6 +108,21 @@ void forces_and_getters() {
     EXPECT(close((after.rows[r].gap - gaps.rows[r].gap) / step, slope, 1e-5));
   }
 
+  // Derivatives: the energy's by the coordinates is minus the force; the forces' by the stiffness is what they are by it.
+  std::vector<double> slopes(16), by_reference(16), lift(16, 0.0);
+  for (std::size_t n = 4; n < 8; ++n) lift[2 * n] = 1;
+  fmc::Gradients gradients;
+  gradients.coords = slopes.data();
+  gradients.reference = by_reference.data();
+  EXPECT(contact.vjp(coords, 1.0, {}, gradients).empty());
+  for (std::size_t k = 0; k < 16; ++k) EXPECT(close(-slopes[k], forces[k], 1e-9));
+  fmc::Gradients of_pairs;
+  of_pairs.of_pairs = FMC_GRADIENT_STIFFNESS;
+  const auto by_pair = contact.vjp(coords, 0.0, lift, of_pairs);
+  double pushed = 0;
+  for (std::size_t n = 4; n < 8; ++n) pushed += forces[2 * n];
+  EXPECT(by_pair.size() == 1 && close(by_pair[0].stiffness * contact.options().stiffness, pushed, 1e-9));
+
   // Moved out by what it penetrates, the square presses twice as much; moved back, as before.
   const auto moved_out = contact.augment(coords, 1e-9);
   const auto multipliers = contact.multipliers();
