@@ -2,10 +2,9 @@
 
 import numpy as np
 import pytest
-from scenes import grid, triangles
-
 from fmc_contact import Contact, FmcError, Pose
 from fmc_contact.errors import UnsupportedError
+from scenes import grid, triangles
 
 STEP = 1e-6
 WITHIN = 1e-6

@@ -71,7 +71,7 @@ class Gradients:
     Examples
     --------
     >>> gradients = contact.vjp(coords, energy=1.0, by=["coords"])
-    >>> np.abs(gradients.coords + contact.evaluate(coords).forces).max() < 1e-9
+    >>> bool(np.abs(gradients.coords + contact.evaluate(coords).forces).max() < 1e-9)
     True
     """
 
@@ -113,7 +113,8 @@ def gradients(
             continue
         break
     of_pairs = tuple(_pair(pairs[index]) for index in range(count.value))
-    return Gradients(*(arrays.get(name) for name in (*_OF_NODES, *_OF_OBSTACLES)), of_pairs)
+    by_place = {name: arrays.get(name) for name in (*_OF_NODES, *_OF_OBSTACLES)}
+    return Gradients(**by_place, pairs=of_pairs)
 
 
 def _pair(found: fmc_pair_gradient) -> PairGradient:

@@ -16,6 +16,9 @@ import numpy as np
 from ._operators import Operator, given
 from .contact import Contact
 
+# Without types in some versions.
+_Shape: Any = jax.ShapeDtypeStruct
+
 
 def energy(contact: Contact) -> Callable[..., Any]:
     """The contact energy as a function ``of(coords, reference=None, stiffness=None)``.
@@ -67,7 +70,7 @@ def _call(function: Callable[..., Any], result: Any, *arguments: Any) -> Any:
 
 
 def _like(values: Any) -> Any:
-    return jax.ShapeDtypeStruct(jnp.shape(values), np.float64)
+    return _Shape(jnp.shape(values), np.float64)
 
 
 def _pair_of(contact: Contact) -> tuple[Callable[..., Any], Callable[..., Any]]:
@@ -94,7 +97,7 @@ def _pair_of(contact: Contact) -> tuple[Callable[..., Any], Callable[..., Any]]:
 
     @jax.custom_vjp
     def of_energy(coords: Any, reference: Any, stiffness: Any) -> Any:
-        return _call(operator.energy, jax.ShapeDtypeStruct((), np.float64), coords, reference, stiffness)
+        return _call(operator.energy, _Shape((), np.float64), coords, reference, stiffness)
 
     def energy_back(saved: tuple[Any, ...], factor: Any) -> tuple[Any, ...]:
         # By the forces, which can be differentiated again.

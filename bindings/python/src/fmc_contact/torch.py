@@ -78,7 +78,8 @@ class _Forces(torch.autograd.Function):
     @torch.autograd.function.once_differentiable
     def backward(context: Any, adjoint: Any) -> Any:
         by = _asked(context)
-        found = context.operator.gradients(*_arrays(*context.saved_tensors, adjoint.contiguous()), by=by)
+        coords, reference, stiffness, factors = _arrays(*context.saved_tensors, adjoint.contiguous())
+        found = context.operator.gradients(coords, reference, stiffness, factors, by=by)
         tensors = dict(zip(by, map(torch.from_numpy, found)))
         return (None, *(tensors.get(name) for name in _NAMES))
 
@@ -88,7 +89,8 @@ class _Others(torch.autograd.Function):
 
     @staticmethod
     def forward(context: Any, operator: Operator, by: tuple[str, ...], *values: Any) -> Any:
-        found = operator.gradients(*_arrays(*values), energy=1.0, by=by)
+        coords, reference, stiffness = _arrays(*values)
+        found = operator.gradients(coords, reference, stiffness, energy=1.0, by=by)
         return tuple(map(torch.from_numpy, found))
 
     @staticmethod
