@@ -81,12 +81,15 @@ pub(crate) fn depth_slopes<const D: usize>(
     Ok(found)
 }
 
+/// How the moments of every piece change, if nodes move.
+type Changes<'a> = Option<&'a [[f64; 4]]>;
+
 /// Adds what the pieces of a body have, cell by cell.
 fn add_pieces<const D: usize>(
     bodies: &DeepBodies<D>,
     slopes: &ReferenceSlopes<D>,
     seeds: &DepthSeeds<D>,
-    (pieces, moments, changes): (&CellPieces<D>, &[[f64; 4]], Option<&[[f64; 4]]>),
+    (pieces, moments, changes): (&CellPieces<D>, &[[f64; 4]], Changes),
     found: &mut Vec<CellSlopes>,
 ) {
     let place = |coords: &[[f64; D]], node: u32| Vector::<D>::from(coords[node as usize]);
