@@ -33,7 +33,7 @@ impl Host {
             assert_eq!(count, if is_ok && hole != 4 { 0 } else { 77 });
             let blank = std::mem::MaybeUninit::<fmc_pair_gradient>::zeroed().assume_init();
             assert_eq!(checked(fmc_gradients_init(&raw mut to)), OK);
-            to.of_pairs = FMC_GRADIENT_STIFFNESS;
+            to.of_pairs = FMC_GRADIENT_STIFFNESS.into();
             let ask = fmc_context_vjp(self.context, coords, 1.0, none.cast(), &raw const to, none, 0, &raw mut count);
             if checked(ask) == OK {
                 let pairs = Guarded::new(&vec![blank; count]);

@@ -35,7 +35,7 @@ pub struct fmc_gradients {
     /// By a rotation vector of every obstacle about its position: room for m * 3 numbers; in 2D only the last of three differs from zero.
     pub rotations: *mut f64,
     /// What is asked for of every pair: a sum of `FMC_GRADIENT_STIFFNESS`, `FMC_GRADIENT_GAP_OFFSET` and `FMC_GRADIENT_FRICTION`, or 0.
-    pub of_pairs: u32,
+    pub of_pairs: u64,
     /// Zero. Room for what later versions know.
     pub reserved: [u64; 8],
 }
@@ -64,9 +64,9 @@ impl fmc_gradients {
         for (name, output) in outputs.into_iter().chain([("rotations", self.rotations)]) {
             Output::optional(name, output)?;
         }
-        let has = |flag: u32| self.of_pairs & flag != 0;
+        let has = |flag: u32| self.of_pairs & u64::from(flag) != 0;
         let known = FMC_GRADIENT_STIFFNESS | FMC_GRADIENT_GAP_OFFSET | FMC_GRADIENT_FRICTION;
-        if has(!known) {
+        if self.of_pairs & !u64::from(known) != 0 {
             let text = format!("unknown flag in {:#x}, the field of_pairs of fmc_gradients", self.of_pairs);
             return Err(Failure::new(FMC_ERROR_UNKNOWN_FLAG, text));
         }
