@@ -2201,7 +2201,7 @@ typedef struct {
   // By a rotation vector of every obstacle about its position: room for m * 3 numbers; in 2D only the last of three differs from zero.
   double *rotations;
   // What is asked for of every pair: a sum of `FMC_GRADIENT_STIFFNESS`, `FMC_GRADIENT_GAP_OFFSET` and `FMC_GRADIENT_FRICTION`, or 0.
-  uint32_t of_pairs;
+  uint64_t of_pairs;
   // Zero. Room for what later versions know.
   uint64_t reserved[8];
 } fmc_gradients;

@@ -561,7 +561,7 @@ module fmc_contact_c
     type(c_ptr) :: reference
     type(c_ptr) :: positions
     type(c_ptr) :: rotations
-    integer(c_int32_t) :: of_pairs
+    integer(c_int64_t) :: of_pairs
     integer(c_int64_t) :: reserved(8)
   end type
 

@@ -647,7 +647,7 @@ pub struct fmc_gradients {
     pub reference: *mut f64,
     pub positions: *mut f64,
     pub rotations: *mut f64,
-    pub of_pairs: u32,
+    pub of_pairs: u64,
     pub reserved: [u64; 8],
 }
 

@@ -498,7 +498,7 @@ class fmc_gradients(Structure):
         ("reference", c_void_p),
         ("positions", c_void_p),
         ("rotations", c_void_p),
-        ("of_pairs", c_uint32),
+        ("of_pairs", c_uint64),
         ("reserved", c_uint64 * 8),
     ]
 
