@@ -117,6 +117,7 @@ impl<const D: usize> Configuration<D> {
             tree,
             aabb: self.boxes[body],
             is_upright: self.is_upright,
+            rigid: None,
         }
     }
 

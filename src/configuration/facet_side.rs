@@ -4,6 +4,7 @@ use super::facet_tree::FacetTree;
 use crate::geometry::Vector;
 use crate::geometry::aabb::Aabb;
 use crate::geometry::inside::winding_step;
+use crate::geometry::shapes::Faces;
 
 /// A body (or an obstacle bounded by facets) as the estimators see it.
 #[derive(Clone, Copy)]
@@ -17,6 +18,8 @@ pub(crate) struct FacetSide<'a, const D: usize> {
     /// Whether all its cells are known to have positive volume, or it is rigid: its winding number is then
     /// nowhere negative.
     pub(crate) is_upright: bool,
+    /// Of an obstacle, its faces in their own frame.
+    pub(crate) rigid: Option<&'a Faces<D>>,
 }
 
 impl<const D: usize> FacetSide<'_, D> {

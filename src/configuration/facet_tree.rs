@@ -170,6 +170,7 @@ mod tests {
                 tree: &tree,
                 aabb: tree.aabb(),
                 is_upright: false,
+                rigid: None,
             };
             let middle = points[step as usize * 7 % points.len()];
             let query = Aabb { min: middle, max: middle }.inflated(0.05);

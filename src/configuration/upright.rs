@@ -98,7 +98,8 @@ mod tests {
         };
         let points = surface.points(&mesh.coords);
         let tree = FacetTree::new(&facets, &surface.vertices[0], &points);
-        let side = FacetSide { facets: &facets, points: &points, tree: &tree, aabb: tree.aabb(), is_upright: false };
+        let (aabb, is_upright) = (tree.aabb(), false);
+        let side = FacetSide { facets: &facets, points: &points, tree: &tree, aabb, is_upright, rigid: None };
         let found = side.facets_in(region);
         assert!(!found.is_empty());
         [side.is_upright_in(&found, region), side.may_cross_itself()]

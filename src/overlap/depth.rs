@@ -1,4 +1,5 @@
-//! The law `depth`, which asks no estimator: it is exact, but for quadrature in rigid obstacles that are curved or not convex.
+//! The law `depth`, which asks no estimator: it is exact, but for quadrature in rigid obstacles that are curved, or not
+//! convex where the body is.
 //!
 //! ```text
 //! J_B = ∫_{A∩B} g_B dx        δJ_B(v) = ∫_{∂A∩B} g_B v_A·n dA − ∫_{A∩B} ∇g_B·v_B dx

@@ -22,6 +22,7 @@ mod numbering;
 mod obstacles;
 mod points;
 mod reference;
+mod rigid_meshes;
 mod round_obstacles;
 mod scans;
 mod slopes;

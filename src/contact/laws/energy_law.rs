@@ -27,7 +27,7 @@ pub enum EnergyLaw {
     /// against an obstacle w = k ∫ g dx with the depth below its surface. Where flat surfaces overlap by δ the pressure
     /// is k δ on either, as with `Fiber`; but no direction is needed, and the energy has no step wherever corners, edges
     /// and whole bodies go. Bodies need cells where they meet one another, not where they meet obstacles. Obstacles that
-    /// are curved, or not convex, by quadrature. Measured without lines under every estimator.
+    /// are curved, or not convex where a body reaches, by quadrature. Measured without lines under every estimator.
     Depth {
         /// Stiffness, positive, Pa/length.
         stiffness: f64,

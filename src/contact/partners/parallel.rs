@@ -91,6 +91,7 @@ impl<const D: usize> SignedDistance<D> for ShapeFacets<D> {
             tree: &self.tree,
             aabb: self.tree.aabb(),
             is_upright: false,
+            rigid: None,
         };
         for ((x, phi), gradient) in x.iter().zip(phi).zip(gradient) {
             let found = distance_from_facets(&side, &self.boxes, &(*x).into());

@@ -37,7 +37,7 @@ impl<const D: usize> Rigid<D> {
     /// Brings the facets of this obstacle, where the estimator is to see it so, to where it stands.
     pub(crate) fn place(&self, prefers_facets: bool, placed: &mut Option<Placed<D>>) {
         let is_optional = self.solid.implicit().is_some();
-        let Some(Faces { surface, points }) = self.solid.faces().filter(|_| prefers_facets || !is_optional) else {
+        let Some(Faces { surface, points, .. }) = self.solid.faces().filter(|_| prefers_facets || !is_optional) else {
             *placed = None;
             return;
         };
@@ -68,6 +68,7 @@ impl<const D: usize> Rigid<D> {
             tree: &placed.tree,
             aabb: placed.tree.aabb(),
             is_upright: placed.is_upright,
+            rigid: self.solid.faces(),
         }
     }
 

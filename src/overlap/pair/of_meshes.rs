@@ -23,6 +23,7 @@ pub(crate) fn with_pair<T>(a: &Mesh<3>, b: &Mesh<3>, work: impl FnOnce(&Pair<3>)
         tree: &trees[k],
         aabb: trees[k].aabb(),
         is_upright: true,
+        rigid: None,
     });
     work(&Pair {
         partners: [Partner::Body(0), Partner::Body(1)],

@@ -2,12 +2,14 @@
 
 use super::convex_solid::ConvexSolid;
 use super::facet_moments::FacetMoments;
-use super::least_of::{candidates, cut_to_least};
+use super::facet_part::{FacetPart, MANY};
+use super::least_of::cut_to_least;
 use crate::geometry::Weighting;
 use crate::geometry::convex_piece::Piece;
 use crate::geometry::quadrature::for_each_gauss_point;
 use crate::overlap::pair::body_facet::BodyFacet;
 use crate::overlap::pair::second_derivative::SecondDerivative;
+use smallvec::{SmallVec, smallvec};
 
 /// What a facet has inside the solid. All integrands are of degree 2, in the plane 3, which the quadrature takes exactly.
 pub(crate) fn facet_moments<const D: usize>(
@@ -18,22 +20,29 @@ pub(crate) fn facet_moments<const D: usize>(
     work: &mut Piece<D>,
 ) -> FacetMoments<D> {
     let mut moments = FacetMoments::default();
-    let depths: Vec<[f64; D]> =
-        solid.heights.iter().map(|height| facet.corners.each_ref().map(|x| -height.at(x))).collect();
-    let Some(near) = candidates(&depths) else { return moments };
-    let of_near: Vec<[f64; D]> = near.iter().map(|&face| depths[face]).collect();
-    for (k, &face) in near.iter().enumerate() {
-        if !cut_to_least(&of_near, k, rounding, work) {
+    let mut parts: SmallVec<[_; 8]> = smallvec![FacetPart::whole()];
+    while let Some(at) = parts.pop() {
+        let near = solid.nearest(&at.corners(&facet.corners));
+        if near.len() > MANY
+            && let Some(halves) = at.halves(&facet.corners)
+        {
+            parts.extend(halves);
             continue;
         }
-        let depth = |w: &[f64; D]| (0..D).map(|c| w[c] * of_near[k][c]).sum::<f64>();
-        let gradient = -solid.heights[face].slope;
-        moments.piece_count += 1;
-        work.corners().iter().for_each(|w| moments.reach(depth(w)));
-        for_each_gauss_point(work.corners(), false, |w, part| {
-            let slopes = (second != SecondDerivative::No).then_some(&gradient);
-            moments.add_point((facet, weighting), w, part, depth(w), slopes);
-        });
+        let of_near: Vec<[f64; D]> = near.iter().map(|(_, depths)| *depths).collect();
+        for (k, &(face, _)) in near.iter().enumerate() {
+            if !cut_to_least(&of_near, k, rounding, work) {
+                continue;
+            }
+            let depth = |w: &[f64; D]| (0..D).map(|c| w[c] * of_near[k][c]).sum::<f64>();
+            let gradient = -solid.heights[face as usize].slope;
+            moments.piece_count += 1;
+            work.corners().iter().for_each(|w| moments.reach(depth(w)));
+            for_each_gauss_point(work.corners(), false, |w, part| {
+                let slopes = (second != SecondDerivative::No).then_some(&gradient);
+                moments.add_point((facet, weighting), &at.in_whole(w), part * at.share, depth(w), slopes);
+            });
+        }
     }
     moments
 }

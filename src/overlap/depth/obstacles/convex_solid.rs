@@ -5,13 +5,12 @@ use crate::geometry::Vector;
 use crate::geometry::aabb::Aabb;
 use crate::geometry::facet::area_vector;
 use crate::geometry::plane::Plane;
+use crate::geometry::shapes::{PlaneBounds, PlaneTree};
+use std::borrow::Cow;
 
-/// Faces of a solid that is still taken as such: the work grows as their square.
-const MOST_FACES: usize = 256;
-
-/// Corners that lie above a face by this part of the solid's extent lie in it: rounding of coordinates that were turned
-/// and scaled is far below, and what the exact integrals shall know is not far above.
-const FLAT: f64 = 1e-11;
+/// Depth of the points for which a face is the nearest, in parts of the solid's width across it: a ball inside that touches the
+/// face is no wider than the solid.
+const DEEPEST: f64 = 0.5;
 
 /// A function that is linear in space.
 #[derive(Clone, Copy, Debug)]
@@ -37,53 +36,156 @@ impl<const D: usize> Linear<D> {
 }
 
 /// The points below all planes. The depth below the surface is that below the nearest plane.
-pub(crate) struct ConvexSolid<const D: usize> {
+pub(crate) struct ConvexSolid<'a, const D: usize> {
     /// Height above every face; its slope is the face's unit normal.
-    pub(crate) heights: Vec<Linear<D>>,
-    /// Greatest distance of two faces along each face's normal; infinite for a half-space.
-    pub(crate) widths: Vec<f64>,
+    pub(super) heights: Vec<Linear<D>>,
+    /// What is known of the faces; `None` of a half-space.
+    pub(super) faces: Option<PlacedFaces<'a, D>>,
 }
 
-impl<const D: usize> ConvexSolid<D> {
+/// Faces of a solid, where it is.
+pub(super) struct PlacedFaces<'a, const D: usize> {
+    pub(super) tree: Cow<'a, PlaneTree>,
+    pub(super) planes: Vec<PlaneBounds<D>>,
+    /// Boxes around the points for which each face is the nearest, as far as a body can reach.
+    pub(super) boxes: Vec<Aabb<D>>,
+    /// No point for which a face is the nearest is deeper.
+    pub(super) deepest: Vec<f64>,
+    pub(super) neighbours: Cow<'a, [Vec<u32>]>,
+    /// Of the coordinates of the solid.
+    pub(super) rounding: f64,
+}
+
+impl<'a, const D: usize> ConvexSolid<'a, D> {
     /// A half-space.
     pub(crate) fn below(plane: &Plane<D>) -> Self {
         let height = Linear { slope: plane.normal, constant: -plane.normal.dot(&plane.point) };
-        Self { heights: vec![height], widths: vec![f64::INFINITY] }
+        Self { heights: vec![height], faces: None }
     }
 
-    /// The solid that facets bound; `None` if it is not convex, or has too many faces.
-    pub(crate) fn within(side: &FacetSide<D>) -> Option<Self> {
-        let tolerance = FLAT * side.aabb.extent().amax() + side.aabb.rounding();
-        let mut heights: Vec<Linear<D>> = Vec::new();
-        for facet in 0..side.facets.len() {
-            let corners = side.corners(facet);
-            let Some(normal) = area_vector(&corners).try_normalize(0.0) else { continue };
-            let lies_in = |height: &Linear<D>| {
-                height.slope.dot(&normal) > 0.0 && corners.iter().all(|x| height.at(x).abs() <= tolerance)
-            };
-            if heights.iter().any(lies_in) {
-                continue;
-            }
-            if heights.len() == MOST_FACES {
-                return None;
-            }
-            heights.push(Linear { slope: normal, constant: -normal.dot(&corners[0]) });
-        }
-        let mut widths = vec![0.0f64; heights.len()];
-        for &corner in side.facets.as_flattened() {
-            let x = &side.points[corner as usize];
-            for (height, width) in heights.iter().zip(&mut widths) {
-                let above = height.at(x);
-                if above > tolerance {
-                    return None;
-                }
-                *width = width.max(-above);
-            }
-        }
-        // All faces bound the hull of the corners: inside it is covered as often everywhere.
-        let corners = side.facets.as_flattened();
-        let middle =
-            corners.iter().fold(Vector::zeros(), |sum, &c| sum + side.points[c as usize]) / corners.len() as f64;
-        (side.winding_number(&middle) == 1).then_some(Self { heights, widths })
+    /// The solid that an obstacle's facets bound, which stands there at this scale; `None` if it is not convex.
+    pub(crate) fn within(side: &FacetSide<'a, D>, scale: f64) -> Option<Self> {
+        let flat = side.rigid?.flat();
+        let convex = flat.convex.as_ref()?;
+        let heights = flat.facets.iter().map(|&facet| height_of(side, facet)).collect::<Option<Vec<Linear<D>>>>()?;
+        let deepest: Vec<f64> = convex.widths.iter().map(|width| DEEPEST * width * scale).collect();
+        let boxes = convex.corners.iter().zip(&heights).zip(&deepest).map(|((corners, height), deepest)| {
+            let outer = Aabb::of(corners.iter().map(|&corner| &side.points[corner as usize]));
+            below_face(&outer, height, *deepest)
+        });
+        let (tree, boxes) = (Cow::Borrowed(&convex.planes), boxes.collect());
+        let neighbours = Cow::Borrowed(flat.neighbours.as_slice());
+        let (planes, rounding) = (bounds(&tree, &heights), side.aabb.rounding());
+        Some(Self { heights, faces: Some(PlacedFaces { tree, planes, boxes, deepest, neighbours, rounding }) })
     }
+
+    /// Faces for which some point of a box may be nearest.
+    pub(super) fn faces_near(&self, aabb: &Aabb<D>) -> Vec<u32> {
+        let is_near = |face: &u32| self.faces.as_ref().is_none_or(|faces| faces.boxes[*face as usize].meets(aabb));
+        (0..self.heights.len() as u32).filter(is_near).collect()
+    }
+
+    /// No point for which this face is the nearest is deeper.
+    pub(super) fn deepest(&self, face: u32) -> f64 {
+        self.faces.as_ref().map_or(f64::INFINITY, |faces| faces.deepest[face as usize])
+    }
+
+    /// Faces at the edges of a face.
+    pub(super) fn neighbours(&self, face: u32) -> &[u32] {
+        self.faces.as_ref().map_or(&[], |faces| &faces.neighbours[face as usize])
+    }
+
+    /// The faces that are the nearest to some point of a facet, or may be, with the depth of the facet's corners below each;
+    /// none if all of it is outside.
+    pub(super) fn nearest(&self, corners: &[Vector<D>; D]) -> Vec<(u32, [f64; D])> {
+        let depths = |face: u32| corners.each_ref().map(|x| -self.heights[face as usize].at(x));
+        let Some(PlacedFaces { tree, planes, rounding, .. }) = &self.faces else { return vec![(0, depths(0))] };
+        let slack = rounding.max(Aabb::of(corners).rounding());
+        let bounds = |node: &PlaneBounds<D>| corners.each_ref().map(|x| node.least_depth(x) - slack);
+        let bound = tree.least(planes, f64::INFINITY, |node| largest(&bounds(node)), |face| largest(&depths(face)));
+        let mut found = Vec::new();
+        if bound > 0.0 {
+            tree.visit(
+                planes,
+                |node| least(&bounds(node)) <= bound,
+                |face| {
+                    let at = depths(face);
+                    if least(&at) <= bound {
+                        found.push((face, at));
+                    }
+                },
+            );
+            found.sort_unstable_by_key(|(face, _)| *face);
+        }
+        found
+    }
+
+    /// Depth below a face at which another one is as near, as a function of the foot on the face; `None` for one that looks
+    /// the same way.
+    pub(super) fn end(&self, face: u32, other: u32) -> Option<Linear<D>> {
+        let (height, other) = (&self.heights[face as usize], &self.heights[other as usize]);
+        let cosine = height.slope.dot(&other.slope);
+        let factor = -1.0 / (1.0 - cosine);
+        let slope = (other.slope - height.slope * cosine) * factor;
+        let constant = (other.constant - height.constant * cosine) * factor;
+        factor.is_finite().then_some(Linear { slope, constant })
+    }
+
+    /// The same at the corners of a facet, of all other faces of which it is the least somewhere on it, or may be, where it is
+    /// not above `limit`; `None` if all of the facet lies beside the face.
+    pub(super) fn ends(&self, face: u32, corners: &[Vector<D>; D], limit: f64) -> Option<Vec<[f64; D]>> {
+        let Some(PlacedFaces { tree, planes, rounding, .. }) = &self.faces else { return Some(Vec::new()) };
+        let height = &self.heights[face as usize];
+        let feet = corners.each_ref().map(|x| x - height.slope * height.at(x));
+        let slack = rounding.max(Aabb::of(corners.iter().chain(&feet)).rounding());
+        let at = |other: u32| {
+            self.end(face, other).filter(|_| other != face).map(|end| corners.each_ref().map(|x| end.at(x)))
+        };
+        let bounds = |node: &PlaneBounds<D>| {
+            let widest = 1.0 - node.least_product(&height.slope);
+            feet.each_ref().map(|x| {
+                let depth = node.least_depth(x) - slack;
+                if depth > 0.0 { depth / widest } else { f64::NEG_INFINITY }
+            })
+        };
+        let of_face = |other: u32| at(other).map_or(f64::INFINITY, |at| largest(&at));
+        let bound = tree.least(planes, limit, |node| largest(&bounds(node)), of_face);
+        if bound <= 0.0 {
+            return None;
+        }
+        let mut found = Vec::new();
+        tree.visit(
+            planes,
+            |node| least(&bounds(node)) <= bound,
+            |other| found.extend(at(other).filter(|at| least(at) <= bound).map(|at| (other, at))),
+        );
+        found.sort_unstable_by_key(|(other, _)| *other);
+        Some(found.into_iter().map(|(_, at)| at).collect())
+    }
+}
+
+/// Height above the plane of a facet; `None` where it has no measure.
+pub(super) fn height_of<const D: usize>(side: &FacetSide<D>, facet: u32) -> Option<Linear<D>> {
+    let corners = side.corners(facet as usize);
+    let slope = area_vector(&corners).try_normalize(0.0)?;
+    Some(Linear { slope, constant: -slope.dot(&corners[0]) })
+}
+
+/// Box around the points below a face that are no deeper, given the box around the face.
+pub(super) fn below_face<const D: usize>(face: &Aabb<D>, height: &Linear<D>, deepest: f64) -> Aabb<D> {
+    let down = height.slope * -deepest;
+    face.union(&Aabb { min: face.min + down, max: face.max + down })
+}
+
+/// Bounds for the planes below the nodes of a tree.
+pub(super) fn bounds<const D: usize>(tree: &PlaneTree, heights: &[Linear<D>]) -> Vec<PlaneBounds<D>> {
+    tree.bounds(|face| (heights[face as usize].slope, -heights[face as usize].constant))
+}
+
+fn largest<const D: usize>(values: &[f64; D]) -> f64 {
+    values.iter().copied().fold(f64::NEG_INFINITY, f64::max)
+}
+
+fn least<const D: usize>(values: &[f64; D]) -> f64 {
+    values.iter().copied().fold(f64::INFINITY, f64::min)
 }

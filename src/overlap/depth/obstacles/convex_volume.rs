@@ -14,6 +14,7 @@
 //! of the overlap, however thin it is.
 
 use super::convex_solid::{ConvexSolid, Linear};
+use super::facet_part::{FacetPart, MANY};
 use super::least_of::{candidates, cut_to_least};
 use crate::configuration::FacetSide;
 use crate::geometry::aabb::Aabb;
@@ -21,6 +22,7 @@ use crate::geometry::convex_piece::{Piece, place};
 use crate::geometry::facet::area_vector;
 use crate::geometry::quadrature::for_each_gauss_point;
 use crate::geometry::{Vector, Weighting};
+use crate::overlap::pair::sides::Pair;
 use std::ops::AddAssign;
 
 /// Volume of the overlap, and the depth summed over it, both weighted.
@@ -32,51 +34,62 @@ pub(crate) struct DepthSum {
     pub(crate) bare_depth: f64,
 }
 
+/// Faces that a thread takes at once.
+const CHUNK: usize = 16;
+
 /// The lines through one face.
-struct Column<const D: usize> {
+struct Column<'a, const D: usize> {
+    solid: &'a ConvexSolid<'a, D>,
+    face: u32,
     height: Linear<D>,
-    /// Depth down to the planes that halve the angles with the other faces, of the foot of a point on this face.
+    /// Depth down to the planes that halve the angles with the faces at its edges, of the foot of a point on this face.
     ends: Vec<Linear<D>>,
     /// No point of the region is deeper.
     deepest: f64,
 }
 
-impl<const D: usize> ConvexSolid<D> {
-    /// Sums over the overlap with a body.
-    pub(crate) fn sums(&self, body: &FacetSide<D>, weighting: Weighting) -> DepthSum {
+impl<const D: usize> ConvexSolid<'_, D> {
+    /// Sums over the overlap with the body of a pair.
+    pub(crate) fn sums(&self, pair: &Pair<D>) -> DepthSum {
+        let body = &pair.a;
         let rounding = body.aabb.rounding();
-        let mut sums = DepthSum::default();
-        let mut work = Piece::default();
-        for face in 0..self.heights.len() {
-            let column = self.column(face);
-            let (least, largest) = (column.height.least(&body.aabb), column.height.largest(&body.aabb));
-            // On whichever side of the region less of the body lies.
-            let from_above = (-least).max(0.0) <= (largest + column.deepest).max(0.0);
-            for facet in column.facets(body, from_above) {
-                let how = (from_above, weighting);
-                sums += column.flux(&body.corners(facet as usize), how, rounding, &mut work);
+        let of_faces = |faces: &[u32]| {
+            let (mut sums, mut work) = (DepthSum::default(), Piece::default());
+            for &face in faces {
+                let column = self.column(face);
+                let (least, largest) = (column.height.least(&body.aabb), column.height.largest(&body.aabb));
+                // On whichever side of the region less of the body lies.
+                let from_above = (-least).max(0.0) <= (largest + column.deepest).max(0.0);
+                for facet in column.facets(body, from_above) {
+                    let corners = body.corners(facet as usize);
+                    let mut parts = vec![FacetPart::whole()];
+                    while let Some(part) = parts.pop() {
+                        let at = part.corners(&corners);
+                        let Some(functions) = column.functions(&at, from_above) else { continue };
+                        match part.halves(&corners).filter(|_| functions.len() > MANY) {
+                            Some(halves) => parts.extend(halves),
+                            None => {
+                                sums +=
+                                    column.flux(&at, (from_above, pair.weighting), &functions, (rounding, &mut work))
+                            }
+                        }
+                    }
+                }
             }
-        }
-        sums
+            sums
+        };
+        let mut all = DepthSum::default();
+        pair.on_threads(&self.faces_near(&body.aabb), CHUNK, of_faces).into_iter().for_each(|sums| all += sums);
+        all
     }
 
-    fn column(&self, face: usize) -> Column<D> {
-        let height = self.heights[face];
-        let ends = self.heights.iter().enumerate().filter(|(other, _)| *other != face).filter_map(|(_, other)| {
-            let cosine = height.slope.dot(&other.slope);
-            let factor = -1.0 / (1.0 - cosine);
-            let end = Linear {
-                slope: (other.slope - height.slope * cosine) * factor,
-                constant: (other.constant - height.constant * cosine) * factor,
-            };
-            factor.is_finite().then_some(end)
-        });
-        // A ball that touches the face is no wider than the solid.
-        Column { height, ends: ends.collect(), deepest: 0.5 * self.widths[face] }
+    fn column(&self, face: u32) -> Column<'_, D> {
+        let ends = self.neighbours(face).iter().filter_map(|&other| self.end(face, other)).collect();
+        Column { solid: self, face, height: self.heights[face as usize], ends, deepest: self.deepest(face) }
     }
 }
 
-impl<const D: usize> Column<D> {
+impl<const D: usize> Column<'_, D> {
     /// Facets of a body that count.
     fn facets(&self, body: &FacetSide<D>, from_above: bool) -> Vec<u32> {
         let is_in = |aabb: &Aabb<D>| self.ends.iter().all(|end| end.largest(aabb) > 0.0);
@@ -87,25 +100,32 @@ impl<const D: usize> Column<D> {
         })
     }
 
-    /// What a facet adds.
+    /// Measure of the region on the lines through a facet, at its corners: the least of these functions where that is positive;
+    /// `None` if it is so nowhere.
+    fn functions(&self, corners: &[Vector<D>; D], from_above: bool) -> Option<Vec<[f64; D]>> {
+        let depth: [f64; D] = corners.each_ref().map(|x| -self.height.at(x));
+        let limit = if from_above { depth.iter().copied().fold(f64::NEG_INFINITY, f64::max) } else { f64::INFINITY };
+        let mut functions = self.solid.ends(self.face, corners, limit)?;
+        if from_above {
+            functions.push(depth);
+        }
+        let near = candidates(&functions)?;
+        Some(near.iter().map(|&k| functions[k]).collect())
+    }
+
+    /// What a facet adds, or a part of one, on which the measure is the least of some functions.
     fn flux(
         &self,
         corners: &[Vector<D>; D],
         (from_above, weighting): (bool, Weighting),
-        rounding: f64,
-        work: &mut Piece<D>,
+        functions: &[[f64; D]],
+        (rounding, work): (f64, &mut Piece<D>),
     ) -> DepthSum {
         let across = self.height.slope.dot(&area_vector(corners));
         if across == 0.0 {
             return DepthSum::default();
         }
         let depth: [f64; D] = corners.each_ref().map(|x| -self.height.at(x));
-        let mut functions: Vec<[f64; D]> = self.ends.iter().map(|end| corners.each_ref().map(|x| end.at(x))).collect();
-        if from_above {
-            functions.push(depth);
-        }
-        let Some(near) = candidates(&functions) else { return DepthSum::default() };
-        let functions: Vec<[f64; D]> = near.iter().map(|&k| functions[k]).collect();
         // Of the foot of a line on the face, and how it changes down the line.
         let weight = |w: &[f64; D]| {
             let x = place(corners, w);
@@ -115,14 +135,14 @@ impl<const D: usize> Column<D> {
         for k in 0..functions.len() {
             let end = &functions[k];
             if from_above {
-                if cut_to_least(&functions, k, rounding, work) {
+                if cut_to_least(functions, k, rounding, work) {
                     sums.add(work, -across, |w| [value(w, end), 0.0], weight);
                 }
                 continue;
             }
             // Above the face all of the region lies below x; in it, what is left from x down.
             for above in [true, false] {
-                if !cut_to_least(&functions, k, rounding, work) {
+                if !cut_to_least(functions, k, rounding, work) {
                     continue;
                 }
                 let is_left = if above {

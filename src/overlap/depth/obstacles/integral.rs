@@ -49,7 +49,9 @@ pub(crate) fn of_obstacle<const D: usize>(
 ) -> Result<Option<DepthIntegral<D>>, Error> {
     let solid = match &pair.counterpart {
         Counterpart::Implicit(side) => side.plane().map(|plane| ConvexSolid::below(&plane)),
-        Counterpart::Facets(side) => ConvexSolid::within(side),
+        Counterpart::Facets(side) => {
+            ConvexSolid::within(side, pose.scale).or_else(|| ConvexSolid::near(side, &pair.a.aabb))
+        }
         Counterpart::Itself => None,
     };
     let within = match &pair.counterpart {
@@ -61,7 +63,7 @@ pub(crate) fn of_obstacle<const D: usize>(
     let (sums, whole) = match solid {
         Some(solid) => {
             let facets = pair.a.facets_in(&within);
-            (in_convex_solid(pair, &solid, &facets, request), solid.sums(&pair.a, pair.weighting))
+            (in_convex_solid(pair, &solid, &facets, request), solid.sums(pair))
         }
         None => {
             let distance = ObstacleDistance::new(&pair.counterpart, pose);
