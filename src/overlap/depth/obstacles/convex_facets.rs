@@ -2,7 +2,7 @@
 
 use super::convex_solid::ConvexSolid;
 use super::facet_moments::FacetMoments;
-use super::facet_part::{FacetPart, MANY};
+use super::facet_part::FacetPart;
 use super::least_of::cut_to_least;
 use crate::geometry::Weighting;
 use crate::geometry::convex_piece::Piece;
@@ -23,9 +23,7 @@ pub(crate) fn facet_moments<const D: usize>(
     let mut parts: SmallVec<[_; 8]> = smallvec![FacetPart::whole()];
     while let Some(at) = parts.pop() {
         let near = solid.nearest(&at.corners(&facet.corners));
-        if near.len() > MANY
-            && let Some(halves) = at.halves(&facet.corners)
-        {
+        if let Some(halves) = at.halves(&facet.corners, near.len()) {
             parts.extend(halves);
             continue;
         }

@@ -14,7 +14,7 @@
 //! of the overlap, however thin it is.
 
 use super::convex_solid::{ConvexSolid, Linear};
-use super::facet_part::{FacetPart, MANY};
+use super::facet_part::FacetPart;
 use super::least_of::{candidates, cut_to_least};
 use crate::configuration::FacetSide;
 use crate::geometry::aabb::Aabb;
@@ -57,16 +57,18 @@ impl<const D: usize> ConvexSolid<'_, D> {
             let (mut sums, mut work) = (DepthSum::default(), Piece::default());
             for &face in faces {
                 let column = self.column(face);
-                let (least, largest) = (column.height.least(&body.aabb), column.height.largest(&body.aabb));
-                // On whichever side of the region less of the body lies.
-                let from_above = (-least).max(0.0) <= (largest + column.deepest).max(0.0);
-                for facet in column.facets(body, from_above) {
+                // On whichever side of the region less of the body lies; from above no line is longer than a facet is deep, so
+                // that few other faces are of any account.
+                let lists = [true, false].map(|from_above| column.facets(body, from_above));
+                let from_above = lists[0].len() <= lists[1].len();
+                let facets = &lists[usize::from(!from_above)];
+                for &facet in facets {
                     let corners = body.corners(facet as usize);
                     let mut parts = vec![FacetPart::whole()];
                     while let Some(part) = parts.pop() {
                         let at = part.corners(&corners);
                         let Some(functions) = column.functions(&at, from_above) else { continue };
-                        match part.halves(&corners).filter(|_| functions.len() > MANY) {
+                        match part.halves(&corners, functions.len()) {
                             Some(halves) => parts.extend(halves),
                             None => {
                                 sums +=

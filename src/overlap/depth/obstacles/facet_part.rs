@@ -5,10 +5,12 @@ use crate::geometry::convex_piece::place;
 
 /// Linear functions of which the least is looked for on a facet: each is compared with each, so that it is cheaper to halve the
 /// facet from some such number on.
-pub(super) const MANY: usize = 16;
+const MANY: usize = 16;
 
-/// A part is not halved below this share of the facet: near a place that is as far from many faces all of them stay.
-const LEAST: f64 = 1.0 / 4096.0;
+/// Near a place that is as far from many faces all of them stay: after so many halvings in a row that leave more than this part of
+/// them a part is not halved any more.
+const VAIN: u8 = 3;
+const LEFT: f64 = 0.8;
 
 /// A simplex in a facet.
 pub(super) struct FacetPart<const D: usize> {
@@ -16,12 +18,15 @@ pub(super) struct FacetPart<const D: usize> {
     weights: [[f64; D]; D],
     /// Its part of the facet's measure.
     pub(super) share: f64,
+    /// Number of functions before it was halved, and the halvings in a row that left most of them.
+    before: usize,
+    vain: u8,
 }
 
 impl<const D: usize> FacetPart<D> {
     pub(super) fn whole() -> Self {
         let weights = std::array::from_fn(|a| std::array::from_fn(|b| f64::from(u8::from(a == b))));
-        Self { weights, share: 1.0 }
+        Self { weights, share: 1.0, before: usize::MAX, vain: 0 }
     }
 
     /// Where its corners are, given those of the facet.
@@ -37,9 +42,11 @@ impl<const D: usize> FacetPart<D> {
         std::array::from_fn(|b| (0..D).map(|a| w[a] * self.weights[a][b]).sum())
     }
 
-    /// Its two halves about the middle of its longest edge; `None` if it is small.
-    pub(super) fn halves(&self, facet: &[Vector<D>; D]) -> Option<[Self; 2]> {
-        if self.share < LEAST {
+    /// Its two halves about the middle of its longest edge, if so many functions are too many; `None` if they are few, or if
+    /// halving is in vain.
+    pub(super) fn halves(&self, facet: &[Vector<D>; D], count: usize) -> Option<[Self; 2]> {
+        let vain = if count as f64 > LEFT * self.before as f64 { self.vain + 1 } else { 0 };
+        if count <= MANY || vain >= VAIN {
             return None;
         }
         let corners = self.corners(facet);
@@ -50,7 +57,7 @@ impl<const D: usize> FacetPart<D> {
         Some([q, p].map(|replaced| {
             let mut weights = self.weights;
             weights[replaced] = middle;
-            Self { weights, share: 0.5 * self.share }
+            Self { weights, share: 0.5 * self.share, before: count, vain }
         }))
     }
 }
