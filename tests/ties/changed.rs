@@ -2,7 +2,7 @@
 
 use crate::scene::Scene;
 use crate::{K, in_the_plane, tied};
-use fmc_contact::contact::PairOptions;
+use fmc_contact::contact::{GradientRequest, PairOptions, TangentPart};
 use fmc_contact::overlap::Partner::{Body, Obstacle as Rigid};
 use fmc_contact::{EnergyLaw, Error, Obstacle, Options, Pose, Shape};
 use fmc_shapes::rectangle_quad4;
@@ -97,4 +97,30 @@ fn a_wedge_is_tied_as_far_as_it_is_within_reach() {
     let scene = Scene::of(&[&below, &above]);
     let tie = tied(&scene, 0.04).tie([0, 1]).expect("bodies").expect("a tie");
     assert!((tie.area - 0.4).abs() < 0.4 * 0.01 && (0.035..0.04).contains(&tie.largest_gap), "{tie:?}");
+}
+
+/// What hosts differentiate: by coordinates with the tie, and by nothing else that a tie has a part in.
+#[test]
+fn gradients_have_the_tie_or_are_refused() {
+    let scene = &in_the_plane(0.03)[1];
+    let contact = tied(scene, 0.1);
+    let coords: Vec<_> = scene.coords.iter().map(|x| [x[0] + 0.02 * x[1], x[1] + 0.03 * x[0] * x[1]]).collect();
+    let by_coords = GradientRequest { coords: true, ..GradientRequest::default() };
+    let found = contact.vjp(&coords, 1.0, None, &by_coords).expect("a gradient");
+    let forces = contact.evaluate(&coords).expect("an evaluation").forces;
+    let off = found.coords.iter().zip(&forces).flat_map(|(g, f)| (0..2).map(|i| (g[i] + f[i]).abs()));
+    assert!(off.fold(0.0, f64::max) < 1e-12 * K && forces.iter().flatten().any(|f| f.abs() > 1e-3 * K));
+    let adjoint: Vec<_> = coords.iter().map(|x| [x[1], -0.3 * x[0]]).collect();
+    let found = contact.vjp(&coords, 0.0, Some(&adjoint), &by_coords).expect("a gradient");
+    let product = contact.tangent(&coords, TangentPart::Full).expect("a tangent").product(&adjoint);
+    let off = found.coords.iter().zip(&product).flat_map(|(g, p)| (0..2).map(|i| (g[i] + p[i]).abs()));
+    assert!(off.fold(0.0, f64::max) < 1e-12 * K);
+    for request in [
+        GradientRequest { reference: true, ..by_coords },
+        GradientRequest { stiffness: true, ..by_coords },
+        GradientRequest { gap_offsets: true, ..by_coords },
+        GradientRequest { friction: true, ..by_coords },
+    ] {
+        assert!(matches!(contact.vjp(&coords, 1.0, None, &request), Err(Error::Unsupported { .. })));
+    }
 }
