@@ -176,7 +176,7 @@ def test_attributes_that_pages_name_are_there():
     coords = np.array([[0, 0], [1, 0], [1, 1], [0, 1]], float)
     contact = Contact(coords, [[0, 1, 2, 3]], "quad", stiffness=1.0, friction_coefficient=0.3)
     contact.friction.begin_step(coords)
-    of_adapters = {"force", "nodes", "size", "attach", "touched", "on_dofs", "coords"}
+    of_adapters = {"force", "nodes", "size", "attach", "touched", "on_dofs", "coords", "set_surface_smoothing"}
     seen = set()
     for page in DOCS.glob("*.md"):
         for name in re.findall(r"`contact((?:\.\w+)+)", page.read_text(encoding="utf-8")):

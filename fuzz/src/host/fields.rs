@@ -97,7 +97,8 @@ impl Host {
             assert!(status != OK || hole == 3 || tie.struct_size == size_of::<fmc_tie>());
             let (null, nothing) = (std::ptr::null_mut(), std::ptr::null_mut());
             let entries_at = unless(hole, 4, &raw mut entries);
-            let status = fmc_context_tie_constraints(self.context, null, 0, nothing, null, std::ptr::null_mut(), 0, entries_at);
+            let status =
+                fmc_context_tie_constraints(self.context, null, 0, nothing, null, std::ptr::null_mut(), 0, entries_at);
             assert!(checked(status) != OK || hole == 4 || entries != 77);
             let coords = unless(hole, 0, (&raw const view).cast_mut());
             let none = std::ptr::null_mut();

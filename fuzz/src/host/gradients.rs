@@ -33,12 +33,13 @@ impl Host {
             assert_eq!(count, if is_ok && hole != 4 { 0 } else { 77 });
             let blank = std::mem::MaybeUninit::<fmc_pair_gradient>::zeroed().assume_init();
             assert_eq!(checked(fmc_gradients_init(&raw mut to)), OK);
-            to.of_pairs = FMC_GRADIENT_STIFFNESS.into();
+            to.of_pairs = FMC_GRADIENT_STIFFNESS as u64;
             let ask = fmc_context_vjp(self.context, coords, 1.0, none.cast(), &raw const to, none, 0, &raw mut count);
             if checked(ask) == OK {
                 let pairs = Guarded::new(&vec![blank; count]);
                 let (room, at) = (count, pairs.ptr());
-                let ask = fmc_context_vjp(self.context, coords, 1.0, none.cast(), &raw const to, at, room, &raw mut count);
+                let ask =
+                    fmc_context_vjp(self.context, coords, 1.0, none.cast(), &raw const to, at, room, &raw mut count);
                 assert_eq!(checked(ask), OK);
                 assert!(pairs.values().iter().all(|pair| pair.struct_size == size_of::<fmc_pair_gradient>()));
             }

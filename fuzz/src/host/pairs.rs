@@ -20,7 +20,10 @@ impl Host {
             excluded: 77,
             static_coefficient: 0.0,
             weakening_slip: 0.0,
-            reserved: [77; 8],
+            interface_kind: 77,
+            reserved_flags: 77,
+            reach: 0.0,
+            reserved: [77; 6],
         };
         // SAFETY: the host's own context, and structs of the header's size.
         unsafe {

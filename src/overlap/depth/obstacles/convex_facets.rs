@@ -9,7 +9,6 @@ use crate::geometry::convex_piece::Piece;
 use crate::geometry::quadrature::for_each_gauss_point;
 use crate::overlap::pair::body_facet::BodyFacet;
 use crate::overlap::pair::second_derivative::SecondDerivative;
-use smallvec::{SmallVec, smallvec};
 
 /// What a facet has inside the solid. All integrands are of degree 2, in the plane 3, which the quadrature takes exactly.
 pub(crate) fn facet_moments<const D: usize>(
@@ -20,7 +19,7 @@ pub(crate) fn facet_moments<const D: usize>(
     work: &mut Piece<D>,
 ) -> FacetMoments<D> {
     let mut moments = FacetMoments::default();
-    let mut parts: SmallVec<[_; 8]> = smallvec![FacetPart::whole()];
+    let mut parts = vec![FacetPart::whole()];
     while let Some(at) = parts.pop() {
         let near = solid.nearest(&at.corners(&facet.corners));
         if let Some(halves) = at.halves(&facet.corners, near.len()) {
