@@ -40,9 +40,7 @@ pub(super) fn measured_pairs<const D: usize>(
     let (mut answers, tractions): (Vec<_>, Vec<_>) = found.into_iter().unzip();
     if !contact.ties.is_empty() {
         let stiffness = |pair| contact.stiffness_of_pair(pair);
-        for (energy, tangent) in contact.ties.measured(coords.unshifted, stiffness, (asked.energy, asked.tangent))? {
-            answers.push(Answer { energy, tangent, nodal_sums: None, points: Vec::new() });
-        }
+        answers.extend(contact.ties.measured(coords.unshifted, stiffness, (asked.energy, asked.tangent))?);
     }
     let mut tractions: Vec<_> = tractions.into_iter().flatten().collect();
     let frozen = contact.history.frozen_at(coords, &contact.partners.obstacles.poses());

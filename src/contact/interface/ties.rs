@@ -60,7 +60,7 @@ impl<const D: usize> Contact<D> {
         let stiffness = |pair| self.stiffness_of_pair(pair);
         let part = Some(TangentPart::Semidefinite);
         let parts = self.ties.measured(&points, stiffness, (false, part))?;
-        let tangent = Tangent::sum(parts.into_iter().filter_map(|(_, tangent)| tangent).collect());
+        let tangent = Tangent::sum(parts.into_iter().filter_map(|part| part.tangent).collect());
         let tangent = match self.mesh.surface.division() {
             Some(division) => tangent.onto_nodes(division),
             None => tangent,

@@ -1,7 +1,7 @@
 //! The ties of a contact.
 
 use crate::Error;
-use crate::contact::laws::PairEnergy;
+use crate::contact::laws::{Answer, PairEnergy};
 use crate::contact::mesh::Mesh;
 use crate::contact::tangents::{Tangent, TangentPart};
 use crate::geometry::{Vector, Weighting};
@@ -87,7 +87,7 @@ impl<const D: usize> Ties<D> {
         points: &[[f64; D]],
         stiffness: impl Fn([Partner; 2]) -> f64,
         (energy, part): (bool, Option<TangentPart>),
-    ) -> Result<Vec<(Option<PairEnergy<D>>, Option<Tangent<D>>)>, Error> {
+    ) -> Result<Vec<Answer<D>>, Error> {
         let one = |found: Result<(&Tie<D>, &[Vector<D>]), Error>| {
             let (tie, multipliers) = found?;
             let at = tie.at(points, stiffness(tie.bodies.map(Partner::Body)), multipliers);
@@ -96,7 +96,7 @@ impl<const D: usize> Ties<D> {
                 let which = if part == TangentPart::Semidefinite { Curvature::Semidefinite } else { Curvature::All };
                 Tangent { blocks: at.curvature(which), rank_one: Vec::new() }
             });
-            Ok((energy, tangent))
+            Ok(Answer { energy, tangent, nodal_sums: None, points: Vec::new() })
         };
         self.all().map(one).collect()
     }
