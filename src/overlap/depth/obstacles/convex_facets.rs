@@ -19,13 +19,32 @@ pub(crate) fn facet_moments<const D: usize>(
     work: &mut Piece<D>,
 ) -> FacetMoments<D> {
     let mut moments = FacetMoments::default();
-    let mut parts = vec![FacetPart::whole()];
-    while let Some(at) = parts.pop() {
+    let slopes_too = second != SecondDerivative::No;
+    let mut sums = Sums { solid, facet, weighting, rounding, slopes_too, moments: &mut moments, work };
+    sums.add(&FacetPart::whole());
+    moments
+}
+
+/// The sums over a facet.
+struct Sums<'a, const D: usize> {
+    solid: &'a ConvexSolid<'a, D>,
+    facet: &'a BodyFacet<D>,
+    weighting: Weighting,
+    rounding: f64,
+    slopes_too: bool,
+    moments: &'a mut FacetMoments<D>,
+    work: &'a mut Piece<D>,
+}
+
+impl<const D: usize> Sums<'_, D> {
+    /// Adds a part, in halves where too many faces are near.
+    fn add(&mut self, at: &FacetPart<D>) {
+        let Self { solid, facet, weighting, rounding, .. } = *self;
         let near = solid.nearest(&at.corners(&facet.corners));
         if let Some(halves) = at.halves(&facet.corners, near.len()) {
-            parts.extend(halves);
-            continue;
+            return halves.iter().for_each(|half| self.add(half));
         }
+        let (moments, work) = (&mut *self.moments, &mut *self.work);
         let of_near: Vec<[f64; D]> = near.iter().map(|(_, depths)| *depths).collect();
         for (k, &(face, _)) in near.iter().enumerate() {
             if !cut_to_least(&of_near, k, rounding, work) {
@@ -36,10 +55,9 @@ pub(crate) fn facet_moments<const D: usize>(
             moments.piece_count += 1;
             work.corners().iter().for_each(|w| moments.reach(depth(w)));
             for_each_gauss_point(work.corners(), false, |w, part| {
-                let slopes = (second != SecondDerivative::No).then_some(&gradient);
+                let slopes = self.slopes_too.then_some(&gradient);
                 moments.add_point((facet, weighting), &at.in_whole(w), part * at.share, depth(w), slopes);
             });
         }
     }
-    moments
 }
