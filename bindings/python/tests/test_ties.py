@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 from fmc_contact import Contact, errors
+from test_ranks import arrays, on_ranks
 
 COORDS = np.array([[0, 0], [2, 0], [2, 1], [0, 1], [0, 1], [1, 1], [2, 1], [0, 2], [1, 2], [2, 2]], float)
 CONN = [[0, 1, 2, 3], [4, 5, 8, 7], [5, 6, 9, 8]]
@@ -64,3 +65,24 @@ def test_refusals():
     assert contact.pairs.tie(0, 1).largest_gap == pytest.approx(0.3)
     with pytest.raises(errors.UnsupportedError, match="keeps a gap"):
         contact.tie_constraints()
+
+
+@pytest.mark.parametrize("size", [2, 3])
+def test_every_rank_has_the_bits_of_one(size):
+    # Three bodies: two are tied, the third presses on them.
+    coords = np.vstack([COORDS, [[0.2, 1.95], [1.8, 1.95], [1.8, 2.5], [0.2, 2.5]]])
+    conn = np.array([*CONN, [10, 11, 12, 13]])
+    moved = coords + np.where((np.arange(14)[:, None] < 4) | (np.arange(14)[:, None] > 9), 0.0, [1e-3, 2e-3])
+
+    def found(comm=None):
+        contact = Contact(coords, conn, "quad", bodies=[0, 1, 1, 2], stiffness=1e3)
+        if comm is not None:
+            contact.ranks.set_communicator(comm)
+        contact.pairs.set(0, 1, interface="tied")
+        result, matrix = contact.evaluate_tangent(moved)
+        return result.forces, result.energy, *arrays(matrix)
+
+    alone = found()
+    assert np.abs(alone[0][:4]).max() > 0 and np.abs(alone[0][10:]).max() > 0
+    for of_rank in on_ranks(size, found):
+        assert all(np.array_equal(one, other) for one, other in zip(of_rank, alone)), of_rank
