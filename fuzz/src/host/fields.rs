@@ -94,16 +94,16 @@ impl Host {
         unsafe {
             let mut tie = std::mem::MaybeUninit::<fmc_tie>::zeroed().assume_init();
             let status = checked(fmc_context_tie(self.context, 0, 1, unless(hole, 3, &raw mut tie)));
-            assert!(status != OK || hole == 3 || tie.struct_size == size_of::<fmc_tie>());
+            assert!(status != OK || hole == 4 || tie.struct_size == size_of::<fmc_tie>());
             let (null, nothing) = (std::ptr::null_mut(), std::ptr::null_mut());
             let entries_at = unless(hole, 4, &raw mut entries);
             let status =
                 fmc_context_tie_constraints(self.context, null, 0, nothing, null, std::ptr::null_mut(), 0, entries_at);
-            assert!(checked(status) != OK || hole == 4 || entries != 77);
+            assert!(checked(status) != OK || hole == 5 || entries != 77);
             let coords = unless(hole, 0, (&raw const view).cast_mut());
             let none = std::ptr::null_mut();
             let status = fmc_context_tie_nodes(self.context, coords, none, 0, unless(hole, 1, &raw mut count));
-            if checked(status) != OK || hole == 1 {
+            if checked(status) != OK || hole == 2 {
                 assert_eq!(count, 77);
                 return;
             }
