@@ -29,6 +29,9 @@ fn what_cannot_be_tied_is_refused_and_changes_nothing() {
     ] {
         assert!(matches!(refused(partners, options), Error::OfPair { .. }));
     }
+    // The law volume has no stiffness by area: such a tie would hold nothing.
+    let by_volume = PairOptions { law: Some(EnergyLaw::volume(K)), ..PairOptions::tied(0.3) };
+    assert!(matches!(refused([Body(0), Body(1)], by_volume), Error::OfPair { .. }));
     assert_eq!(contact.tie([0, 1]), Ok(None));
     assert_eq!(contact.pair_options([Body(0), Body(1)]), Ok(None));
     assert!(contact.tie_nodes(&scene.coords).expect("no nodes").is_empty());
@@ -123,4 +126,22 @@ fn gradients_have_the_tie_or_are_refused() {
     ] {
         assert!(matches!(contact.vjp(&coords, 1.0, None, &request), Err(Error::Unsupported { .. })));
     }
+}
+
+/// Multipliers that are set, or taken away, are all there are: those of ties go, too. The law cannot become one that holds nothing.
+#[test]
+fn multipliers_of_ties_are_released_with_all_others() {
+    let scene = &in_the_plane(0.0)[1];
+    let mut contact = tied(scene, 0.0);
+    let start = scene.first_node[1];
+    let mut coords = scene.coords.clone();
+    coords[start..].iter_mut().for_each(|x| x[1] += 1e-3);
+    let before = contact.evaluate(&coords).expect("an evaluation");
+    assert!(!contact.augment(&coords, 0.0, 1e-9).expect("an update").is_enough);
+    let after = contact.evaluate(&coords).expect("an evaluation");
+    assert!((after.bodies[0].force[1] - 2.0 * before.bodies[0].force[1]).abs() < 1e-9 * K);
+    contact.set_multipliers(&[]).expect("none");
+    assert_eq!(contact.evaluate(&coords).expect("an evaluation"), before);
+    assert!(contact.set_options(Options::new(EnergyLaw::volume(K))).is_err());
+    assert_eq!(contact.evaluate(&coords).expect("an evaluation"), before);
 }

@@ -439,9 +439,11 @@ static void contexts(void) {
   EXPECT(FMC_ERROR_BAD_VALUE, "option 'interface_kind' has no value 2", BODIES);
   wanted = own, wanted.reach = 1;
   EXPECT(FMC_ERROR_OPTIONS_CONFLICT, "'reach' of a pair belongs to the interface 'tied'", BODIES);
-  wanted = own, wanted.interface_kind = FMC_INTERFACE_TIED, wanted.reach = -1;
+  wanted = own, wanted.interface_kind = FMC_INTERFACE_TIED;
+  EXPECT(FMC_ERROR_UNSUPPORTED, "tied by the law volume", BODIES);
+  wanted = own, wanted.law = FMC_LAW_DEPTH, wanted.interface_kind = FMC_INTERFACE_TIED, wanted.reach = -1;
   EXPECT(FMC_ERROR_NOT_POSITIVE, "'reach' is -1", BODIES);
-  wanted = own, wanted.interface_kind = FMC_INTERFACE_TIED, wanted.reach = 1e-9;
+  wanted.reach = 1e-9;
   EXPECT(FMC_ERROR_UNTIED, "bodies 0 and 1 are tied", BODIES);
   wanted = own, wanted.law = 9;
   EXPECT(FMC_ERROR_BAD_VALUE, "option 'law' has no value 9", BODIES);

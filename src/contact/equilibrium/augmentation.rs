@@ -6,7 +6,7 @@ use crate::contact::evaluation::{Contact, kernels};
 use crate::contact::history::{Multiplier, Multipliers, check_law, sorted};
 use crate::contact::method::Options;
 use crate::contact::results::GapConstraints;
-use crate::contact::ties::Change;
+use crate::contact::ties::TieMultipliers;
 use crate::geometry::Vector;
 use crate::geometry::aabb::Aabb;
 use crate::overlap::Partner;
@@ -62,7 +62,8 @@ impl<const D: usize> Contact<D> {
         is_enough: impl Fn(&Augmentation) -> bool,
     ) -> Result<Augmentation, Error> {
         let (next, mut found) = self.measured(coords, reach)?;
-        let of_ties = self.change_ties(coords, false)?;
+        let (of_ties, next_of_ties) =
+            self.ties.change(&self.mesh.points(coords)?, |pair| self.stiffness_of_pair(pair))?;
         found.change = found.change.max(of_ties.largest);
         found.mean_change = found.mean_change.max(of_ties.mean);
         found.is_enough = is_enough(&found);
@@ -70,7 +71,7 @@ impl<const D: usize> Contact<D> {
             true => self.history.multipliers.end_series(),
             false => {
                 self.history.multipliers = next;
-                self.change_ties(coords, true)?;
+                self.ties.put_back(next_of_ties);
             }
         }
         found.count = self.history.multipliers.list().len();
@@ -96,23 +97,13 @@ impl<const D: usize> Contact<D> {
         Ok(self.history.multipliers.moved_out(&kernels::gap_constraints(self, coords, reach)?))
     }
 
-    /// What the multipliers of ties would change, and with `takes` they do.
-    fn change_ties(&mut self, coords: &[[f64; D]], takes: bool) -> Result<Change, Error> {
-        if self.ties.is_empty() {
-            return Ok(Change::default());
-        }
-        let Self { mesh, partners, method, ties, .. } = self;
-        let stiffness = |pair: [Partner; 2]| partners.law_of(&pair, method).initial_stiffness().unwrap_or(0.0);
-        ties.change(&mesh.points(coords)?, stiffness, takes)
-    }
-
     /// How far surfaces are moved out, ascending by node and partner: with the coordinates all that a restart needs, or a load step
     /// that is tried again.
     pub fn multipliers(&self) -> Vec<Multiplier<D>> {
         self.history.multipliers.list()
     }
 
-    /// Moves surfaces out as said, `&[]`: back.
+    /// Moves surfaces out as said, `&[]`: back. Ties are without multipliers then, until the next update.
     ///
     /// # Errors
     /// As [`Self::augment`]; [`Error::NodeOutOfRange`], naming the place in the list as its cell; [`Error::BodyOutOfRange`],
@@ -136,6 +127,7 @@ impl<const D: usize> Contact<D> {
             }
         }
         self.history.multipliers = multipliers.iter().copied().collect();
+        self.ties.put_back(TieMultipliers::new());
         Ok(())
     }
 

@@ -37,7 +37,7 @@ impl BearingRule {
         mesh: MeshHashes,
     ) -> Option<Self> {
         let is_evaluated = match own {
-            Some(own) => !own.excluded && own.tied_within().is_none(),
+            Some(own) => own.is_in_contact(),
             None => pair[0] != pair[1] || options.self_contact,
         };
         let own = own.unwrap_or_default();

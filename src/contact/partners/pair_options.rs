@@ -80,6 +80,11 @@ impl PairOptions {
         }
     }
 
+    /// Whether the two press and rub: they are neither left out nor tied.
+    pub(crate) fn is_in_contact(&self) -> bool {
+        !self.excluded && self.tied_within().is_none()
+    }
+
     /// A pair with a law of its own.
     pub fn with_law(law: EnergyLaw) -> Self {
         Self { law: Some(law), ..Self::default() }

@@ -61,7 +61,7 @@ impl<const D: usize> PairTable<D> {
     /// Whether the pair is evaluated, where it would be `by_default`.
     pub(crate) fn has(&self, pair: &[Partner; 2], by_default: bool) -> bool {
         // A body with itself that is in the table is there to be evaluated, unless the entry says otherwise.
-        self.0.get(pair).map_or(by_default, |entry| !entry.options.excluded && entry.options.tied_within().is_none())
+        self.0.get(pair).map_or(by_default, |entry| entry.options.is_in_contact())
     }
 
     /// The law of the pair, if it has one of its own.
@@ -135,7 +135,7 @@ fn check(pair: &[Partner; 2], options: &PairOptions, defaults: &Options) -> Resu
     let of_pair = |cause| Error::OfPair { sides: pair.map(side), cause: Box::new(cause) };
     own.and_then(|()| Options { law, friction, ..*defaults }.check())
         .and_then(|()| check_offset(pair, options, law.needs_depth()))
-        .and_then(|()| check_tie(pair, options))
+        .and_then(|()| check_tie(pair, options, &law))
         .map_err(of_pair)
 }
 
@@ -151,11 +151,14 @@ fn check_offset(pair: &[Partner; 2], options: &PairOptions, has_depth: bool) -> 
     }
 }
 
-fn check_tie(pair: &[Partner; 2], options: &PairOptions) -> Result<(), Error> {
+fn check_tie(pair: &[Partner; 2], options: &PairOptions, law: &EnergyLaw) -> Result<(), Error> {
     let Some(reach) = options.tied_within() else { return Ok(()) };
     let what = match pair {
         [_, Partner::Obstacle(_)] => "a body that is tied to an obstacle: the host prescribes how its nodes move",
         [a, b] if a == b => "a body that is tied to itself",
+        _ if matches!(law, EnergyLaw::Volume { .. }) => {
+            "bodies that are tied by the law volume, which has no stiffness by area: give the pair the law depth"
+        }
         _ if options.gap_offset != 0.0 => "a gap offset of bodies that are tied: their gap is kept as it is",
         _ if !(reach.is_finite() && reach >= 0.0) => return Err(Error::NotPositive { name: "reach", value: reach }),
         _ => return Ok(()),

@@ -21,6 +21,9 @@ struct Held<const D: usize> {
     multipliers: Vec<Vector<D>>,
 }
 
+/// Multipliers by pair of bodies, and row.
+pub(crate) type TieMultipliers<const D: usize> = BTreeMap<[usize; 2], Vec<Vector<D>>>;
+
 /// What ties ask of their multipliers.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Change {
@@ -101,40 +104,36 @@ impl<const D: usize> Ties<D> {
         self.all().map(one).collect()
     }
 
-    /// What multipliers would change at these points, and with `takes` they do: by the stiffness times the mean jump.
+    /// What an update would change at these points, and the multipliers after it: the tractions there are.
     pub(crate) fn change(
-        &mut self,
+        &self,
         points: &[[f64; D]],
         stiffness: impl Fn([Partner; 2]) -> f64,
-        takes: bool,
-    ) -> Result<Change, Error> {
-        let (mut found, mut work, mut force) = (Change::default(), 0.0, 0.0);
-        for held in self.0.values_mut() {
-            let tie = held.tie.as_ref().map_err(Error::clone)?;
-            let at = tie.at(points, stiffness(tie.bodies.map(Partner::Body)), &held.multipliers);
+    ) -> Result<(Change, TieMultipliers<D>), Error> {
+        let (mut found, mut next) = (Change::default(), TieMultipliers::new());
+        let (mut work, mut force) = (0.0, 0.0);
+        for held in self.all() {
+            let (tie, multipliers) = held?;
+            let at = tie.at(points, stiffness(tie.bodies.map(Partner::Body)), multipliers);
             for (row, (jump, traction)) in tie.rows.iter().zip(at.jumps.iter().zip(&at.tractions)) {
                 found.largest = found.largest.max(jump.norm());
                 work += row.measure * traction.norm() * jump.norm();
                 force += row.measure * traction.norm();
             }
-            if takes {
-                held.multipliers = at.tractions;
-            }
+            next.insert(tie.bodies, at.tractions);
         }
         found.mean = if force > 0.0 { work / force } else { 0.0 };
-        Ok(found)
+        Ok((found, next))
     }
 
     /// The multipliers of all, to be put back by [`Self::put_back`].
-    pub(crate) fn multipliers(&self) -> BTreeMap<[usize; 2], Vec<Vector<D>>> {
+    pub(crate) fn multipliers(&self) -> TieMultipliers<D> {
         self.0.iter().map(|(bodies, held)| (*bodies, held.multipliers.clone())).collect()
     }
 
-    pub(crate) fn put_back(&mut self, multipliers: BTreeMap<[usize; 2], Vec<Vector<D>>>) {
-        for (bodies, multipliers) in multipliers {
-            if let Some(held) = self.0.get_mut(&bodies) {
-                held.multipliers = multipliers;
-            }
+    pub(crate) fn put_back(&mut self, mut multipliers: TieMultipliers<D>) {
+        for (bodies, held) in &mut self.0 {
+            held.multipliers = multipliers.remove(bodies).unwrap_or_default();
         }
     }
 }

@@ -30,8 +30,8 @@ pub enum fmc_interface {
     /// They press and rub where they touch.
     FMC_INTERFACE_CONTACT = 0,
     /// They go together where their faces face one another without deformation, within `reach` and up to an angle of 60 degrees; they are in
-    /// no contact, neither there nor elsewhere. A gap or an overlap within reach is kept. Not with an obstacle, and not of a mesh in
-    /// parts. See `fmc_context_tie`. Key value "tied".
+    /// no contact, neither there nor elsewhere. A gap or an overlap within reach is kept. Not with an obstacle, the law "volume", or a mesh
+    /// in parts. See `fmc_context_tie`. Key value "tied".
     FMC_INTERFACE_TIED = 1,
 }
 
