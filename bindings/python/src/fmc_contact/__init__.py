@@ -28,7 +28,7 @@ from .partition import CARRIED_SLIP, GatheredCounts, PartitionedContact
 from .points import PointWeights
 from .pose import Pose
 from .result import ContactWarning, Friction, Pair, Result, Resultant
-from .search import Equilibrium, NoSupportError, NotConvergedError, check_host, find_equilibrium
+from .search import Adjoint, Equilibrium, NoSupportError, NotConvergedError, check_host, find_equilibrium
 from .shape import Part, Shape
 from .stateless import contact_force, contact_force_step
 from .step_limit import StepLimit
@@ -64,6 +64,7 @@ def has_feature(name: str) -> bool:
 __all__ = [
     "CARRIED_SLIP",
     "MULTIPLIER",
+    "Adjoint",
     "Adjustment",
     "Augmentation",
     "BoundaryFacets",

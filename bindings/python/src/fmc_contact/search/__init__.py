@@ -1,12 +1,14 @@
 """The library's search for an equilibrium, with the matrices and solvers of Python.
 
-    find, check  ->  requests  ->  bodies, unknowns, start  ->  together, linear, condensed  ->  host, likely, outcome
+    find, check  ->  requests, outcome  ->  adjoint  ->  at_equilibrium, coloured
+                 ->  bodies, unknowns, start  ->  together, linear, condensed  ->  host, likely
 """
 
+from .adjoint import Adjoint
 from .bodies import TANGENTS
 from .check import check_host
 from .find import find_equilibrium
 from .host import Host, Refused
 from .outcome import Equilibrium, NoSupportError, NotConvergedError
 
-__all__ = ["TANGENTS", "Equilibrium", "Host", "NoSupportError", "NotConvergedError", "Refused", "check_host", "find_equilibrium"]
+__all__ = ["TANGENTS", "Adjoint", "Equilibrium", "Host", "NoSupportError", "NotConvergedError", "Refused", "check_host", "find_equilibrium"]

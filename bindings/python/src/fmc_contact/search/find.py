@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from .._arrays import floats
+from .adjoint import End
 from .bodies import Bodies, CondensedSteps, Residual, Solve, bodies_of, condensed_of
 from .host import Host
 from .likely import refuse_displacements, unconnected
@@ -131,7 +132,7 @@ def find_equilibrium(
     search = Search(bodies, unknowns, begin, solved_for, end, options, steps)
     search.run()
     unknowns.inner._core.renew_options()
-    return _ended(search, contact, begin, end)
+    return _ended(search, contact, begin, end, (residual_and_tangent, solve), reach)
 
 
 def _condensed(bodies: Host, wanted: Optional[bool]) -> Optional[CondensedSteps]:
@@ -152,7 +153,7 @@ def _condensed(bodies: Host, wanted: Optional[bool]) -> Optional[CondensedSteps]
         return None
 
 
-def _ended(search: Search, contact: Any, begin: np.ndarray, end: Optional[np.ndarray]) -> Equilibrium:
+def _ended(search: Search, contact: Any, begin: np.ndarray, end: Optional[np.ndarray], asked: tuple[Any, Any], reach: float) -> Equilibrium:
     result, way, texts = search.ended()
     bodies, steps = search.bodies, search.steps
     residuals = search.array_of(result.residuals, result.residual_count).tolist()
@@ -172,7 +173,7 @@ def _ended(search: Search, contact: Any, begin: np.ndarray, end: Optional[np.nda
         moved = end - begin.ravel()
         moved[search.solved_for] = 0.0
         texts = texts + unconnected(bodies.matrix, moved)
-    return Equilibrium(
+    found = Equilibrium(
         x,
         result.solve_count,
         residuals,
@@ -187,6 +188,9 @@ def _ended(search: Search, contact: Any, begin: np.ndarray, end: Optional[np.nda
         result.penetration if result.penetration >= 0 else None,
         texts,
     )
+    # No field: it is no result, and the adjoint alone reads it.
+    found.__dict__["_end"] = End(*asked, contact, search.unknowns, search.solved_for, x, found.result.forces, reach)
+    return found
 
 
 def _wrong(search: Search, begin: np.ndarray) -> list[str]:

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass, field
 from typing import Optional
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from ..errors import FmcError
 from ..result import Result
+from .adjoint import Adjoint, End, adjoint
 
 
 class NotConvergedError(FmcError, RuntimeError):
@@ -85,3 +88,45 @@ class Equilibrium:
     updates: int = 0
     penetration: Optional[float] = None
     warnings: list[str] = field(default_factory=list)
+
+    def adjoint(self, by_x: ArrayLike, by_forces: Optional[ArrayLike] = None, by: Iterable[str] = ()) -> Adjoint:
+        """Derivatives of a number J(x, F) of the equilibrium, F being the contact's nodal forces: one linear solve, whatever their number.
+
+        Call it before anything of the contact changes. Multipliers follow the parameters: with them J is that of closed gaps.
+        With friction it is the derivative of this load step, where the last one ended being held. Needs scipy.
+
+        Parameters
+        ----------
+        by_x : array_like
+            ∂J/∂x in the shape of ``x``, entries of held unknowns too.
+        by_forces : array_like, (n, dim), optional
+            ∂J/∂F, such as ones along an axis on the nodes of a body, for the force on it. Default: zeros.
+        by : iterable of str
+            Names of ``Contact.vjp``.
+
+        Returns
+        -------
+        Adjoint
+            The derivatives.
+
+        Raises
+        ------
+        ValueError
+            If the contact has changed since, for shapes, and for names that do not exist.
+        UnsupportedError
+            As ``Contact.vjp``; for bodies that solve by themselves; for multipliers with ties.
+        RuntimeError
+            If the matrix is singular.
+
+        Examples
+        --------
+        >>> from fmc_contact import find_equilibrium
+        >>> bodies = lambda x: ((1e4 * (x - coords)).ravel(), 1e4 * np.eye(16))
+        >>> found = find_equilibrium(bodies, contact, coords, range(16))
+        >>> found.adjoint(np.ones((8, 2)), by=["stiffness"]).gradients.stiffness < 1e-9
+        True
+        """
+        end: Optional[End] = self.__dict__.get("_end")
+        if end is None:
+            raise ValueError("this equilibrium is not one of find_equilibrium")
+        return adjoint(end, by_x, by_forces, by)
