@@ -18,6 +18,7 @@ from .contact import Contact
 from .contact_step import ContactStep
 from .errors import FmcError
 from .fields import ContactPoints, NodalContact
+from .forward import Slopes
 from .gaps import GapConstraints
 from .gradients import Gradients, PairGradient
 from .mesh import Adjustment
@@ -95,6 +96,7 @@ __all__ = [
     "Result",
     "Resultant",
     "Shape",
+    "Slopes",
     "StepLimit",
     "Tangent",
     "Tie",

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import creation, result, tangent
-from ._arrays import View, coords_view, forces_view, vector
+from ._arrays import View, coords_view, floats, forces_view, vector
 from ._constants import FMC_EVALUATE_ADD, FMC_TANGENT_SEMIDEFINITE, FMC_TANGENT_SYMMETRIC
 from ._core import Core
 from ._library import library
@@ -18,6 +18,7 @@ from ._structs import fmc_log_callback, fmc_options, fmc_result, fmc_step_limit
 from ._unpack import Unpack
 from .contact_step import ContactStep, contact_step
 from .fields import ContactPoints, NodalContact, contact_points, nodal_contact
+from .forward import Slopes, slopes
 from .friction import FrictionSteps
 from .gaps import GapConstraints, gap_constraints
 from .gradients import NAMES, Gradients, gradients
@@ -611,6 +612,55 @@ class Contact:
         count = self._core.obstacle_count
         with self._core.handle:
             return gradients(self._core.handle, view, float(energy), forces, names, count, dim)
+
+    def jvp(
+        self,
+        coords: ArrayLike,
+        motion: Optional[ArrayLike] = None,
+        positions: Optional[ArrayLike] = None,
+        rotations: Optional[ArrayLike] = None,
+        stiffness: float = 0.0,
+    ) -> Slopes:
+        """Rates of energy and forces along rates of what they depend on: the forward twin of ``vjp``.
+
+        Parameters
+        ----------
+        coords : array_like, (n, dim)
+            Current coordinates of all nodes.
+        motion : array_like, (n, dim), optional
+            Rates of the coordinates.
+        positions : array_like, (m, dim), optional
+            Rates of the positions of the obstacles.
+        rotations : array_like, (m, 3), optional
+            Rates of a rotation vector of every obstacle about its position; in 2D the last entry counts.
+        stiffness : float
+            Rate of the option ``stiffness``.
+
+        Returns
+        -------
+        Slopes
+            The rates; all of them are summed.
+
+        Raises
+        ------
+        TypeError, ValueError
+            For arrays of another shape.
+        UnsupportedError
+            As ``vjp``; by the stiffness where a pair has a law of its own.
+        FmcError
+            As ``tangent`` raises.
+
+        Examples
+        --------
+        >>> rates = contact.jvp(coords, motion=np.ones((8, 2)))
+        >>> bool(abs(rates.energy) < 1e-9)
+        True
+        """
+        rows, obstacles = self._core.unknown_count, self._core.obstacle_count
+        shapes = {"motion": (rows, self.dim), "positions": (obstacles, self.dim), "rotations": (obstacles, 3)}
+        given = {"motion": motion, "positions": positions, "rotations": rotations}
+        rates = [None if rate is None else floats(rate, name, shapes[name]) for name, rate in given.items()]
+        return slopes(self, floats(coords, "coords", (rows, self.dim)), rates[0], rates[1], rates[2], float(stiffness))
 
     def gap_constraints(self, coords: ArrayLike, reach: float) -> GapConstraints:
         """Weighted gaps of all nodes near a partner, apart or overlapping, with their derivative.
