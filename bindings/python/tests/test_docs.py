@@ -113,7 +113,11 @@ PIECES = {
         ),
     ],
     "interfaces.md": [("", "assert np.allclose(result.forces[4:7, 1], [-0.5, -1, -0.5])")],
-    "gradients.md": [("", "assert shape.shape == (8, 2) and abs(force) > 1")],
+    "gradients.md": [
+        ("", "assert shape.shape == (8, 2) and abs(force) > 1"),
+        # Springs of 1e3 up the sides and across, and the contact: half a force of the load for each node.
+        ("", "assert found.result.forces[:, 1].sum() > 1 and not adjoint.warnings, found.result.forces"),
+    ],
     "large-problems.md": [None],  # hosts/dolfinx/tests
     "newton.md": [
         # The upper square stands on the lower one by its weight, and by nothing else.
