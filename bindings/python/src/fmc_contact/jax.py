@@ -3,6 +3,8 @@
 ``energy`` is twice differentiable by coordinates. Forward mode (``jvp``, ``jax.hessian``) is not there; ``jax.jacrev`` of
 ``jax.grad`` is. An operator tells its contact the undeformed coordinates and the stiffness that it is called with, so
 that the contact is the operator's alone.
+
+``equilibrium`` is the equilibrium of bodies that JAX has the residual of, by their parameters; not within ``jit`` and ``vmap``.
 """
 
 from __future__ import annotations
@@ -12,7 +14,9 @@ from typing import Any, Callable
 import jax
 import jax.numpy as jnp
 import numpy as np
+from numpy.typing import ArrayLike
 
+from ._equilibria import Equilibria
 from ._operators import Operator, given
 from .contact import Contact
 
@@ -60,6 +64,85 @@ def forces(contact: Contact) -> Callable[..., Any]:
         The function raises it for numbers other than float64.
     """
     return _pair_of(contact)[1]
+
+
+def equilibrium(contact: Contact, residual: Callable[[Any, Any], Any], free: ArrayLike, **options: Any) -> Callable[..., Any]:
+    """The equilibrium as a function ``of(parameters, x, prescribed=None, reference=None, positions=None)``, which returns the end x.
+
+    Differentiable in reverse mode, once, by ``parameters``, ``prescribed`` (without it by ``x`` where unknowns are held), ``reference``
+    (undeformed coordinates) and ``positions`` (of the obstacles): by one linear system, ``Equilibrium.adjoint``. Each call begins
+    with the multipliers that the contact has now. The function does not run within ``jit`` and ``vmap``.
+
+    Parameters
+    ----------
+    contact : Contact
+        The contact. With friction its step has begun; the slip at its start is held.
+    residual : callable
+        Takes x, (n, dim), and the parameters, and returns internal minus external forces without contact, (n, dim). JAX
+        differentiates it, by x to a dense matrix.
+    free : array_like
+        As for ``find_equilibrium``.
+    **options
+        Those of ``find_equilibrium``.
+
+    Returns
+    -------
+    callable
+        A function of any parameters that JAX takes as an argument, and of arrays of float64.
+
+    Raises
+    ------
+    TypeError
+        The function raises it within ``jit`` or ``vmap``, and for numbers other than float64.
+    NotConvergedError
+        The function raises it as ``find_equilibrium``.
+    """
+    operator, value, matrix = Equilibria(contact, free, options), jax.jit(residual), jax.jit(jax.jacfwd(residual))
+
+    @jax.jit
+    def of_bodies(x: Any, parameters: Any, factors: Any) -> Any:
+        return jax.vjp(lambda given: residual(x, given), parameters)[1](factors)[0]
+
+    def asked(parameters: Any, *arrays: Any) -> tuple[Any, ...]:
+        """Bodies, a key, and arrays of numpy."""
+        leaves, tree = jax.tree_util.tree_flatten((parameters, arrays))
+        if any(isinstance(leaf, jax.core.Tracer) for leaf in leaves):
+            raise TypeError("an equilibrium has to be found outside of jit and vmap")
+
+        def bodies(x: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+            return np.asarray(value(x, parameters)).ravel(), np.asarray(matrix(x, parameters)).reshape(x.size, x.size)
+
+        key = tree, *(np.asarray(leaf).tobytes() for leaf in leaves)
+        return bodies, key, *(None if one is None else np.asarray(one) for one in arrays)
+
+    @jax.custom_vjp
+    def of_all(parameters: Any, *arrays: Any) -> Any:
+        bodies, key, *values = asked(parameters, *arrays)
+        return jnp.asarray(operator.solved(bodies, key, *values).x)
+
+    def forward(parameters: Any, *arrays: Any) -> tuple[Any, Any]:
+        end = of_all(parameters, *arrays)
+        return end, (end, parameters, arrays)
+
+    def back(saved: Any, by_x: Any) -> tuple[Any, ...]:
+        end, parameters, arrays = saved
+        bodies, key, *values = asked(parameters, *arrays)
+        found = operator.adjoint(bodies, key, np.asarray(by_x), *values)
+        is_held = values[1] is None
+        return (
+            of_bodies(end, parameters, -found.balance),
+            found.prescribed if is_held else np.zeros(found.prescribed.shape),
+            None if is_held else found.prescribed,
+            found.gradients.reference,
+            found.gradients.positions,
+        )
+
+    of_all.defvjp(forward, back)
+
+    def of(parameters: Any, x: Any, prescribed: Any = None, reference: Any = None, positions: Any = None) -> Any:
+        return of_all(parameters, *_arrays(x=x, prescribed=prescribed, reference=reference, positions=positions))
+
+    return of
 
 
 def _call(function: Callable[..., Any], result: Any, *arguments: Any) -> Any:
@@ -112,12 +195,16 @@ def _pair_of(contact: Contact) -> tuple[Callable[..., Any], Callable[..., Any]]:
 
 def _checked(function: Callable[..., Any]) -> Callable[..., Any]:
     def of(coords: Any, reference: Any = None, stiffness: Any = None) -> Any:
-        named = {"coords": coords, "reference": reference, "stiffness": stiffness}
-        values = [None if value is None else jnp.asarray(value) for value in named.values()]
-        for name, value in zip(named, values):
-            if value is not None and value.dtype != np.float64:
-                hint = "jax.config.update('jax_enable_x64', True)"
-                raise TypeError(f"{name} has dtype {value.dtype}, expected float64: {hint}")
-        return function(*values)
+        return function(*_arrays(coords=coords, reference=reference, stiffness=stiffness))
 
     return of
+
+
+def _arrays(**named: Any) -> list[Any]:
+    """Arrays of jax. Errors: ``TypeError`` for numbers other than float64."""
+    values = [None if value is None else jnp.asarray(value) for value in named.values()]
+    for name, value in zip(named, values):
+        if value is not None and value.dtype != np.float64:
+            hint = "jax.config.update('jax_enable_x64', True)"
+            raise TypeError(f"{name} has dtype {value.dtype}, expected float64: {hint}")
+    return values
