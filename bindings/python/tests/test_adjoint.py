@@ -1,5 +1,7 @@
 """The adjoint of an equilibrium against central differences of ``find_equilibrium``: a contact and bodies made anew for each."""
 
+import pickle
+
 import numpy as np
 import pytest
 from fmc_contact import Contact, OnUnknowns, Pose, find_equilibrium
@@ -315,6 +317,15 @@ def test_what_is_no_derivative_is_told():
     loose = Block("half_space", 1e-3)
     found = loose.solved(max_updates=1)
     assert any("ask find_equilibrium for a penetration" in text for text in found.adjoint(loose.factors).warnings)
+
+
+def test_a_copy_of_the_result_has_no_adjoint():
+    """It can be stored, as the bodies and the contact cannot."""
+    found = Block("half_space").solved()
+    copy = pickle.loads(pickle.dumps(found))
+    assert np.array_equal(copy.x, found.x) and copy.result.energy == found.result.energy
+    with pytest.raises(ValueError, match="not one of find_equilibrium"):
+        copy.adjoint(np.zeros(found.x.shape))
 
 
 def test_bodies_that_solve_by_themselves_have_none():

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass, field
-from typing import Optional
+from typing import Any, Optional
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -88,6 +88,10 @@ class Equilibrium:
     updates: int = 0
     penetration: Optional[float] = None
     warnings: list[str] = field(default_factory=list)
+
+    def __getstate__(self) -> dict[str, Any]:
+        # Copies are of the result alone: bodies and contact are no part of it.
+        return {name: value for name, value in self.__dict__.items() if name != "_end"}
 
     def adjoint(self, by_x: ArrayLike, by_forces: Optional[ArrayLike] = None, by: Iterable[str] = ()) -> Adjoint:
         """Derivatives of a number J(x, F) of the equilibrium, F being the contact's nodal forces: one linear solve, whatever their number.
