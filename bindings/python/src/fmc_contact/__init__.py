@@ -6,7 +6,7 @@ one call or by a ``Contact`` that is kept. Forces push bodies apart. Units are t
 
     search  ->  contact_force, OnUnknowns, PartitionedContact  ->  Contact
             ->  its parts: mesh, obstacles, pairs, friction, multipliers, patches, pattern, ranks
-            ->  creation, _core, options; results: result, fields, gradients, boundary, gaps, points, tangent
+            ->  creation, _core, options; results: result, fields, gradients, forward, boundary, gaps, points, tangent
             ->  _handle, _arrays  ->  _library  ->  _signatures, _structs  ->  errors
 """
 
