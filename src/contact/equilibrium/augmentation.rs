@@ -6,7 +6,7 @@ use crate::contact::evaluation::{Contact, kernels};
 use crate::contact::history::{Multiplier, Multipliers, check_law, sorted};
 use crate::contact::method::Options;
 use crate::contact::results::GapConstraints;
-use crate::contact::ties::TieMultipliers;
+use crate::contact::ties::{TieChange, TieMultipliers};
 use crate::geometry::Vector;
 use crate::geometry::aabb::Aabb;
 use crate::overlap::Partner;
@@ -18,7 +18,8 @@ const REACH: f64 = 0.05;
 /// What an update of the multipliers says of the coordinates it was made at.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Augmentation {
-    /// Largest mean penetration of a node over its part of the surface, of the side of each pair that has the multipliers.
+    /// Largest mean penetration of a node over its part of the surface, of the side of each pair that has the multipliers, or the largest
+    /// mean jump of a tie.
     pub penetration: f64,
     /// Largest change that the gaps ask of a multiplier, by the law's stiffness: how far a node that is pressed is from the partner,
     /// inside or outside.
@@ -62,8 +63,8 @@ impl<const D: usize> Contact<D> {
         is_enough: impl Fn(&Augmentation) -> bool,
     ) -> Result<Augmentation, Error> {
         let (next, mut found) = self.measured(coords, reach)?;
-        let (of_ties, next_of_ties) =
-            self.ties.change(&self.mesh.points(coords)?, |pair| self.stiffness_of_pair(pair))?;
+        let (of_ties, next_of_ties) = self.change_of_ties(coords)?;
+        found.penetration = found.penetration.max(of_ties.largest);
         found.change = found.change.max(of_ties.largest);
         found.mean_change = found.mean_change.max(of_ties.mean);
         found.is_enough = is_enough(&found);
@@ -79,12 +80,22 @@ impl<const D: usize> Contact<D> {
     }
 
     /// The largest mean penetration of a node over its part of the surface at `coords`, of the side of each pair that has the
-    /// multipliers, or would have them.
+    /// multipliers, or would have them; or the largest mean jump of a tie.
     ///
     /// # Errors
     /// As [`Self::augment`].
     pub fn nodal_penetration(&self, coords: &[[f64; D]], reach: f64) -> Result<f64, Error> {
-        Ok(self.measured(coords, reach)?.1.penetration)
+        Ok(self.measured(coords, reach)?.1.penetration.max(self.change_of_ties(coords)?.0.largest))
+    }
+
+    fn change_of_ties(&self, coords: &[[f64; D]]) -> Result<(TieChange, TieMultipliers<D>), Error> {
+        self.ties.change(&self.mesh.points(coords)?, |pair| self.stiffness_of_pair(pair))
+    }
+
+    /// Leaves a part of what the multipliers press and pull with: a guess for another load.
+    pub(crate) fn scale_multipliers(&mut self, part: f64) {
+        self.history.multipliers.scale(part);
+        self.ties.scale_multipliers(part);
     }
 
     /// The next multipliers.

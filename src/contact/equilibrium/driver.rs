@@ -23,6 +23,7 @@ mod check;
 mod conversation;
 mod downhill;
 mod elastic;
+mod falling_load;
 mod host;
 mod layers;
 mod levels;

@@ -103,7 +103,13 @@ impl<const D: usize> Multipliers<D> {
 
     /// The same pressures by a stiffness that is higher by a factor.
     pub(crate) fn stiffen(&mut self, factor: f64) {
-        self.rows.values_mut().for_each(|(shift, _)| *shift /= factor);
+        self.scale(1.0 / factor);
+    }
+
+    /// Surfaces are moved out by a part of what they were.
+    pub(crate) fn scale(&mut self, part: f64) {
+        self.rows.values_mut().for_each(|(shift, _)| *shift *= part);
+        self.rows.retain(|_, (shift, _)| *shift > 0.0);
         self.end_series();
     }
 

@@ -24,6 +24,8 @@ pub(super) struct Assembly<const D: usize> {
     pub(super) facet_size: Vec<f64>,
     /// Ids of the bodies, as the host gave them.
     ids: Vec<i64>,
+    /// Whether a body is tied to others.
+    is_tied: Vec<bool>,
     /// Largest extent of all.
     pub(super) size: f64,
 }
@@ -74,6 +76,7 @@ impl<const D: usize> Assembly<D> {
             thickness: volumes.iter().zip(&surfaces).map(|(volume, area)| 2.0 * volume.abs() / area).collect(),
             facet_size: sizes.into_iter().map(median).collect(),
             ids: surface.body_ids().to_vec(),
+            is_tied: contact.ties.tied_bodies(body_count),
             size: Aabb::of(used).extent().max(),
         };
         found.bring_to_rows(&surface.point_weights(), &of_point, (&points, &area_of, &normal_of));
@@ -135,7 +138,7 @@ impl<const D: usize> Assembly<D> {
         let rest = rows.iter().map(|&row| (Vector::<D>::from(motion[row]) - mean).amax()).fold(0.0, f64::max);
         let is_rotation = mean.amax() < 0.5 * rest || mean.norm() == 0.0;
         let direction = if is_rotation { Vector::zeros() } else { mean.normalize() };
-        Some(Mover { id: self.ids[body], direction, is_rotation, way: way(rows) })
+        Some(Mover { id: self.ids[body], is_tied: self.is_tied[body], direction, is_rotation, way: way(rows) })
     }
 }
 
@@ -143,6 +146,7 @@ impl<const D: usize> Assembly<D> {
 #[derive(Clone, Debug)]
 pub(super) struct Mover<const D: usize> {
     pub(super) id: i64,
+    is_tied: bool,
     pub(super) direction: Vector<D>,
     pub(super) is_rotation: bool,
     pub(super) way: f64,
@@ -150,13 +154,14 @@ pub(super) struct Mover<const D: usize> {
 
 impl<const D: usize> std::fmt::Display for Mover<D> {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "body {}{}", self.id, if self.is_tied { " with what is tied to it" } else { "" })?;
         if self.is_rotation {
-            return write!(f, "body {} in rotation", self.id);
+            return f.write_str(" in rotation");
         }
         // Without the sign of a zero.
         let parts: Vec<_> =
             self.direction.iter().map(|part| format!("{:.2}", (part * 100.0).round() / 100.0 + 0.0)).collect();
-        write!(f, "body {} along ({})", self.id, parts.join(", "))
+        write!(f, " along ({})", parts.join(", "))
     }
 }
 

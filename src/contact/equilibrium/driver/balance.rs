@@ -31,7 +31,7 @@ pub(super) struct Balance {
     tolerance: f64,
     /// Stiffness of the contact by area.
     pressed: f64,
-    /// Forces at the start, if it was an equilibrium.
+    /// Forces at the start, if it was an equilibrium, of this load or another.
     at_start: f64,
     last: f64,
     stalled: usize,
@@ -57,6 +57,11 @@ impl Balance {
             self.at_start = scale;
         }
         Ok(())
+    }
+
+    /// Residuals count by forces of this size at least.
+    pub(super) fn measured_by(&mut self, forces: f64) {
+        self.at_start = self.at_start.max(forces);
     }
 
     /// Another attempt begins.

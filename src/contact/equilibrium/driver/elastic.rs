@@ -1,13 +1,24 @@
 //! How bodies are deformed.
 
+use super::host::Host;
+use super::trouble::Trouble;
+use super::unknowns::largest;
 use crate::Error;
 use crate::contact::evaluation::Contact;
 use crate::geometry::Vector;
 use nalgebra::DMatrix;
 
+/// The unknowns without the rigid motions of bodies, and the largest entry of any row; all of them, and no bound, where those are not known.
+pub(super) async fn deformed<const D: usize>(host: &Host<D>, x: &[f64]) -> Result<(Vec<f64>, f64), Trouble> {
+    let coords = host.unknowns.coords(x);
+    let rows = host.contact(move |contact| elastic_displacement(contact, &coords)).await?;
+    let farthest = rows.as_ref().map_or(f64::INFINITY, |rows| largest(rows.as_flattened()));
+    Ok((rows.map_or_else(|| x.to_vec(), |rows| host.unknowns.gathered(&rows)), farthest))
+}
+
 /// Displacement of every row of coordinates beyond the rigid motion of its body; `None` without cells, whose undeformed place is not
 /// known, and where unknowns are no nodes.
-pub(super) fn elastic_displacement<const D: usize>(
+fn elastic_displacement<const D: usize>(
     contact: &Contact<D>,
     coords: &[[f64; D]],
 ) -> Result<Option<Vec<[f64; D]>>, Error> {

@@ -2,6 +2,7 @@
 
 use super::attempt::{LoadStep, Reached, equilibrium};
 use super::balance::Verdict;
+use super::falling_load::falling_load;
 use super::host::System;
 use super::levels::FINER;
 use super::outcome::Found;
@@ -41,6 +42,7 @@ pub(super) async fn in_parts<const D: usize>(search: &mut Search<D>, step: &Load
     let start = State::at(&search.host, step.x.clone(), true).await?;
     search.balance.begin(&search.host, &search.assembly, &start).await?;
     overlaps(search, &start).await?;
+    let start = falling_load(search, start).await?;
     let (mut x, mut done, mut part, mut counts) = (step.x.clone(), 0.0, 1.0, Counts::default());
     loop {
         let until = if done + part > 1.0 - 1e-9 { 1.0 } else { done + part };
@@ -48,7 +50,7 @@ pub(super) async fn in_parts<const D: usize>(search: &mut Search<D>, step: &Load
         search.host.set_offset(start.residual.iter().map(|force| (1.0 - until) * force).collect());
         let target = moved(&step.x, until, &step.moved);
         let begun = search.host.contact(|contact| contact.history.begun()).await;
-        match led(search, &x, &target, &mut counts).await {
+        match led(search, &x, (&target, until == 1.0), &mut counts).await {
             Ok(reached) if until == 1.0 => return finished(search, reached, &counts).await,
             Ok(reached) => {
                 (x, done) = (reached.state.x, until);
@@ -65,11 +67,11 @@ pub(super) async fn in_parts<const D: usize>(search: &mut Search<D>, step: &Load
     }
 }
 
-/// The equilibrium with unknowns that are not free at their targets, from x.
+/// The equilibrium with unknowns that are not free at their targets, from x; whether it is the last of the step.
 async fn led<const D: usize>(
     search: &mut Search<D>,
     x: &[f64],
-    target: &[f64],
+    (target, is_last): (&[f64], bool),
     counts: &mut Counts,
 ) -> Result<Reached<D>, Trouble> {
     let mut x = x.to_vec();
@@ -78,6 +80,7 @@ async fn led<const D: usize>(
         let free = &search.host.unknowns.free;
         let way: Vec<f64> = (0..x.len()).map(|k| if free[k] { 0.0 } else { target[k] - x[k] }).collect();
         let part = if largest(&way) == 0.0 { 1.0 } else { carried(search, &mut x, &way, counts).await? };
+        search.updates.begin(search.has_friction || (is_last && part == 1.0));
         if part == 1.0 {
             let free = &search.host.unknowns.free;
             x = (0..x.len()).map(|k| if free[k] { x[k] } else { target[k] }).collect();
@@ -178,6 +181,9 @@ async fn finished<const D: usize>(
     let (solves, left) = (search.host.solves(), search.balance.relative());
     if reached.verdict == Verdict::Rounded && left > search.options.tolerance {
         let text = format!("the residual stays at {left:.1e} of the forces: the host's own forces are rounded so far");
+        search.warn(text);
+    }
+    if let Some(text) = search.updates.left(search.assembly.finest()) {
         search.warn(text);
     }
     standing(search, &reached.state).await?;

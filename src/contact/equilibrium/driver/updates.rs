@@ -1,15 +1,16 @@
 //! Multipliers, until what is left of the penetration does not matter.
 
 use super::balance::Verdict;
-use super::elastic::elastic_displacement;
+use super::elastic::deformed;
 use super::host::Host;
 use super::options::DriverOptions;
 use super::state::State;
 use super::trouble::Trouble;
-use super::unknowns::{dot, largest};
+use super::unknowns::dot;
 use crate::Error;
 use crate::contact::equilibrium::Augmentation;
 use crate::contact::evaluation::Contact;
+use crate::contact::results::ContactForces;
 
 /// Work of the contact forces on the penetration, by that of the bodies' own forces, that does not matter: the part by which forces are
 /// too small.
@@ -26,6 +27,15 @@ const STIFFER: f64 = 4.0;
 /// Factor, at most, by which it is made stiffer over all load steps: where a node or two come and go, a stiffer law makes no update better.
 const STIFFEST: f64 = 16.0;
 
+/// Jump or penetration that is left, by the smallest facet, of which nothing is said: a false strain of as much.
+const UNTOLD: f64 = 1e-6;
+
+/// Contact forces by those where a load began to fall that are none.
+const UNLOADED: f64 = 1e-6;
+
+/// Units of rounding of a coordinate that are no jump.
+const ROUNDING: f64 = 8.0 * f64::EPSILON;
+
 /// Residual by the forces below which surfaces are moved out: an equilibrium is not waited for, since the next one is another.
 const NEAR: f64 = 1e-2;
 
@@ -35,7 +45,7 @@ pub(super) struct Updates {
     /// The penetration that somebody has asked for.
     asked: Option<f64>,
     reach: f64,
-    /// How many are made at most, while anything is left of the penetration.
+    /// How many are made at most in a part of the step, while anything is left of the penetration.
     most: usize,
     /// The same while each of them still changes the forces.
     most_by_force: usize,
@@ -44,6 +54,13 @@ pub(super) struct Updates {
     pressed: f64,
     /// Factor by which the contact was made stiffer so far.
     stiffened: f64,
+    /// Sum of the magnitudes of the contact forces where a load began to fall.
+    fallen_from: f64,
+    /// Number of them before the part that is under way.
+    before: usize,
+    is_needed: bool,
+    /// Whether the last state would have been given another update.
+    is_cut_short: bool,
     pub(super) count: usize,
     pub(super) found: Option<f64>,
 }
@@ -62,9 +79,34 @@ impl Updates {
             last: f64::INFINITY,
             pressed: 0.0,
             stiffened,
+            fallen_from: 0.0,
+            before: 0,
+            is_needed: true,
+            is_cut_short: false,
             count: 0,
             found: None,
         }
+    }
+
+    /// Another part of the load step begins. Without a history only its end needs them.
+    pub(super) fn begin(&mut self, is_needed: bool) {
+        self.is_needed = is_needed;
+        (self.before, self.pressed, self.last, self.is_cut_short) = (self.count, 0.0, f64::INFINITY, false);
+    }
+
+    /// A load falls from where contact presses like this.
+    pub(super) fn fall_from<const D: usize>(&mut self, contact: &ContactForces<D>) {
+        self.fallen_from = pressed(contact);
+    }
+
+    /// What is to be said where each update still changed the forces.
+    pub(super) fn left(&self, finest: f64) -> Option<String> {
+        let left = self.found.filter(|left| self.is_cut_short && *left > UNTOLD * finest)?;
+        let count = self.count - self.before;
+        Some(format!(
+            "after {count} updates of the multipliers each still changes the forces of contact and ties; surfaces penetrate, or what is tied \
+             has moved apart, by {left:.1e}: take smaller load steps, or allow more updates and ask for a penetration"
+        ))
     }
 
     /// Whether the contact became another one: surfaces were moved out at a state that is near an equilibrium.
@@ -79,15 +121,19 @@ impl Updates {
         relative: f64,
     ) -> Result<bool, Trouble> {
         let is_over = verdict != Verdict::Not;
-        if !self.is_possible || !(is_over || relative <= NEAR) {
+        if !(self.is_possible && self.is_needed) || !(is_over || relative <= NEAR) {
             return Ok(false);
         }
-        let pressed: f64 = state.contact.pairs.iter().map(|pair| pair.pressure * pair.contact_area).sum();
+        let pressed = pressed(&state.contact);
+        if pressed <= UNLOADED * self.fallen_from {
+            return Ok(false);
+        }
         let is_changing = (pressed - self.pressed).abs() > NEGLIGIBLE * pressed;
-        if self.count >= self.most && !is_over {
+        let count = self.count - self.before;
+        if count >= self.most && !is_over {
             return Ok(false);
         }
-        let may = self.count < self.most || (self.count < self.most_by_force && is_changing);
+        let may = count < self.most || (count < self.most_by_force && is_changing);
         let coords = host.unknowns.coords(&state.x);
         self.pressed = pressed;
         let (wanted, reach) = (self.wanted(host, state, pressed).await?, self.reach);
@@ -101,10 +147,11 @@ impl Updates {
             Err(error) => return Err(error.into()),
         };
         self.found = Some(update.penetration);
+        self.is_cut_short = !update.is_enough && !may && is_changing;
         match self.asked {
             _ if update.is_enough => Ok(false),
             Some(wanted) if !may => {
-                let (left, count) = (update.penetration.max(update.change), self.count);
+                let left = update.penetration.max(update.change);
                 Err(Trouble::Failed(format!(
                     "a penetration of {left:.1e} after {count} updates, {wanted:.1e} is wanted"
                 )))
@@ -127,12 +174,11 @@ impl Updates {
             return Ok(Wanted::OnAverage(f64::MAX));
         }
         let coords = host.unknowns.coords(&state.x);
-        let deformed = host.contact(move |contact| elastic_displacement(contact, &coords)).await?;
-        let farthest = deformed.as_ref().map_or(f64::INFINITY, |rows| largest(rows.as_flattened()));
-        let deformed = deformed.map_or_else(|| state.x.clone(), |rows| host.unknowns.gathered(&rows));
+        let (deformed, farthest) = deformed(host, &state.x).await?;
         let work = dot(&deformed, &host.product(deformed.clone(), false).await?);
         // Large numbers on the diagonal, by which a host may hold unknowns, are no stiffness of the bodies.
-        Ok(Wanted::OnAverage(NEGLIGIBLE * (work.abs() / pressed).min(farthest)))
+        let rounding = ROUNDING * coords.as_flattened().iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+        Ok(Wanted::OnAverage((NEGLIGIBLE * (work.abs() / pressed).min(farthest)).max(rounding)))
     }
 
     /// Makes the contact stiffer where a penetration was asked for, and updates are slow.
@@ -145,6 +191,10 @@ impl Updates {
         }
         Ok(())
     }
+}
+
+fn pressed<const D: usize>(contact: &ContactForces<D>) -> f64 {
+    contact.pairs.iter().map(|pair| pair.pressure * pair.contact_area).sum()
 }
 
 /// How little penetration is wanted.

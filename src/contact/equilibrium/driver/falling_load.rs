@@ -1,0 +1,38 @@
+//! Multipliers of another load as a guess for this one.
+
+use super::elastic::deformed;
+use super::search::Search;
+use super::state::State;
+use super::trouble::Trouble;
+use super::unknowns::{dot, norm};
+
+/// Part of the forces that has to be out of balance where a step begins, for loads to have changed.
+const CHANGED: f64 = 1e-2;
+
+/// Lets multipliers fall with the load where a step begins: those of a load that is gone would press and pull on bodies that nothing else
+/// holds. The load was K u less the contact forces of the equilibrium where the step begins, and is K u less the internal forces now; what
+/// is left of it is its part along what it was. Updates find what is wrong with this guess. An end without load has no forces to measure
+/// residuals by: those of the equilibrium where the step begins do.
+pub(super) async fn falling_load<const D: usize>(search: &mut Search<D>, start: State<D>) -> Result<State<D>, Trouble> {
+    let host = &search.host;
+    let has_none = host.contact(|contact| {
+        contact.multipliers().is_empty() && contact.ties.multipliers().values().all(|of_tie| of_tie.is_empty())
+    });
+    if has_none.await || start.norm(host) <= CHANGED * norm(&start.forces) {
+        return Ok(start);
+    }
+    let (displaced, _) = deformed(host, &start.x).await?;
+    let bodies = host.product(displaced, false).await?;
+    let load = |forces: &[f64]| -> Vec<f64> {
+        host.unknowns.freed(bodies.iter().zip(forces).map(|(bodies, force)| bodies - force).collect())
+    };
+    let (before, now) = (load(&start.forces), load(&start.inside));
+    search.balance.measured_by(norm(&host.unknowns.freed(bodies.clone())).min(norm(&start.forces)));
+    search.updates.fall_from(&start.contact);
+    let part = dot(&now, &before) / dot(&before, &before);
+    if !(part.is_finite() && part < 1.0) {
+        return Ok(start);
+    }
+    host.contact(move |contact| contact.scale_multipliers(part.max(0.0))).await;
+    start.again(host).await
+}
