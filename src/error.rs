@@ -259,8 +259,8 @@ pub enum Error {
     Untied {
         /// Both bodies, by index.
         bodies: [usize; 2],
-        /// The reach, in length.
-        reach: f64,
+        /// The reach, and how far apart the nearest faces are, in length; infinite where none face one another.
+        distances: [f64; 2],
     },
     /// The points of a convex hull lie in one plane (2D: on one line), or their hull cannot be found to rounding.
     DegenerateHull {

@@ -10,5 +10,5 @@ mod place;
 mod tie;
 mod tie_energy;
 
-pub(crate) use tie::Tie;
+pub(crate) use tie::{LeftOut, Tie};
 pub(crate) use tie_energy::{Curvature, TieAt};

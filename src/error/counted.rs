@@ -73,7 +73,7 @@ impl Error {
             | Error::Place { code: _ }
             | Error::NoStep
             | Error::NoStiffness
-            | Error::Untied { bodies: _, reach: _ }
+            | Error::Untied { bodies: _, distances: _ }
             | Error::EmptyCompound
             | Error::Unsupported { what: _ }
             | Error::TooManyFibers { needed: _, limit: _ }

@@ -137,11 +137,13 @@ impl fmt::Display for Error {
                      does at its start"
                 )
             }
-            Error::Untied { bodies: [a, b], reach } => {
-                write!(
-                    f,
-                    "bodies {a} and {b} are tied, and face one another nowhere within {reach:e}: a larger reach ties them across their gap"
-                )
+            Error::Untied { bodies: [a, b], distances: [reach, nearest] } if nearest.is_finite() => write!(
+                f,
+                "bodies {a} and {b} are tied, and face one another nowhere within {reach:.4e}: the nearest faces are {nearest:.4e} apart, \
+                 or overlap so far; a larger reach ties them across it"
+            ),
+            Error::Untied { bodies: [a, b], .. } => {
+                write!(f, "bodies {a} and {b} are tied, and none of their faces lie opposite one another")
             }
             Error::DegenerateHull { point_count } => {
                 write!(f, "the convex hull of these {point_count} points is flat, or cannot be found to rounding")

@@ -12,7 +12,7 @@ const FACING: f64 = 0.5;
 /// Part of a facet below which a piece is rounding.
 const ROUNDING: f64 = 1e-14;
 
-/// A piece of a facet, and the facet that it faces.
+/// A piece of a facet, and the facet that it faces, within reach; of what is farther apart there is the size alone.
 pub(super) struct CommonPiece<const D: usize> {
     /// Numbers of both facets in the surface.
     pub(super) facets: [usize; 2],
@@ -20,6 +20,10 @@ pub(super) struct CommonPiece<const D: usize> {
     pub(super) corners: Corners<D>,
     /// Barycentric coordinates in the second facet, along the normal of the first, at the corners of the first facet.
     pub(super) across: [[f64; D]; D],
+    /// The part of the first facet that faces the second farther apart than the reach.
+    pub(super) beyond: f64,
+    /// The distance between both facets, or how far they overlap: the least and the largest.
+    pub(super) distances: [f64; 2],
 }
 
 /// Facets of two bodies that come within reach of one another and face one another, ordered by the first.
@@ -28,10 +32,38 @@ pub(super) struct Facing<'a, const D: usize> {
     /// Positions of the surface's vertices.
     pub(super) vertices: &'a [Vector<D>],
     /// How far apart facets may be, or how far they may overlap.
-    pub(super) reach: f64,
+    reach: f64,
+    /// The same as it was given.
+    pub(super) given: f64,
 }
 
-impl<const D: usize> Facing<'_, D> {
+/// Part of the reach, and units of rounding of a coordinate, by which distances are known.
+const ROUNDED: f64 = 1e-9;
+const UNITS: f64 = 64.0 * f64::EPSILON;
+
+impl<'a, const D: usize> Facing<'a, D> {
+    /// What is as far apart as the reach but for rounding is within it.
+    pub(super) fn new(surface: &'a Surface<D>, vertices: &'a [Vector<D>], reach: f64) -> Self {
+        let farthest = vertices.iter().map(|x| x.amax()).fold(0.0, f64::max);
+        Self { surface, vertices, reach: reach * (1.0 + ROUNDED) + UNITS * farthest, given: reach }
+    }
+
+    /// The least distance between facets that face one another; `None` where none do.
+    pub(super) fn nearest(&self, bodies: [usize; 2]) -> Option<f64> {
+        let farthest = self.vertices.iter().map(|x| x.amax()).fold(0.0, f64::max);
+        let mut reach = self.reach;
+        while reach < 4.0 * farthest {
+            reach *= 4.0;
+            let farther = Facing { reach, ..*self };
+            let pieces = farther.candidates(bodies).into_iter().filter_map(|pair| farther.common(pair));
+            let least = pieces.map(|piece| piece.distances[0]).fold(f64::INFINITY, f64::min);
+            if least <= reach {
+                return Some(least);
+            }
+        }
+        None
+    }
+
     pub(super) fn corners(&self, facet: usize) -> [Vector<D>; D] {
         self.surface.facets[facet].map(|vertex| self.vertices[vertex as usize])
     }
@@ -57,7 +89,7 @@ impl<const D: usize> Facing<'_, D> {
         n.dot(&m) < -FACING * n.norm() * m.norm()
     }
 
-    /// The piece of the first facet that faces the second within reach.
+    /// The piece of the first facet that faces the second.
     pub(super) fn common(&self, facets: [usize; 2]) -> Option<CommonPiece<D>> {
         let [x, y] = facets.map(|facet| self.corners(facet));
         let n = area_vector(&x).try_normalize(0.0)?;
@@ -74,10 +106,18 @@ impl<const D: usize> Facing<'_, D> {
             }
         }
         let gap: [f64; D] = std::array::from_fn(|c| (place(&y, &across[c]) - x[c]).dot(&n));
+        let whole: f64 = piece.moments().iter().sum();
+        if whole <= ROUNDING {
+            return None;
+        }
+        let gaps = piece.corners().iter().map(|corner| (0..D).map(|c| corner[c] * gap[c]).sum::<f64>());
+        let [least, most] = gaps.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], gap| [a.min(gap), b.max(gap)]);
+        let nearest = if least <= 0.0 && most >= 0.0 { 0.0 } else { least.abs().min(most.abs()) };
         let is_within = piece.cut(&gap.map(|gap| gap - self.reach)) && piece.cut(&gap.map(|gap| -gap - self.reach));
         let size: f64 = if is_within { piece.moments().iter().sum() } else { 0.0 };
-        let corners = piece.corners().iter().copied().collect();
-        (size > ROUNDING).then_some(CommonPiece { facets, corners, across })
+        let corners = if size > ROUNDING { piece.corners().iter().copied().collect() } else { Corners::new() };
+        let distances = [nearest, least.abs().max(most.abs())];
+        Some(CommonPiece { facets, corners, across, beyond: (whole - size).max(0.0), distances })
     }
 }
 

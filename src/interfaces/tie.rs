@@ -32,6 +32,9 @@ const TWICE: f64 = 1e-6;
 /// How firmly means hold the rotations of patches, at least, so that those of the larger facets are taken.
 const FIRM: f64 = 0.2;
 
+/// Part of what is tied above which facets that are tied in part are told.
+const TOLD: f64 = 0.01;
+
 /// A gap that is rounding, by the largest coordinate.
 const CLOSED: f64 = 64.0 * f64::EPSILON;
 
@@ -50,8 +53,18 @@ pub(crate) struct Tie<const D: usize> {
     pub(crate) area: f64,
     /// The largest gap, or overlap, that is kept.
     pub(crate) largest_gap: f64,
+    /// The area of facets that are tied in part, and face the other body farther apart than the reach, and how far apart they are.
+    pub(crate) left_out: Option<LeftOut>,
     /// Σ c cᵀ/m over the rows, where no gap is kept.
     pub(super) products: OnceLock<Vec<(u32, u32, f64)>>,
+}
+
+/// What is not tied of facets that are tied in part.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct LeftOut {
+    pub(crate) area: f64,
+    pub(crate) farthest: f64,
+    pub(crate) reach: f64,
 }
 
 /// A mean of the jump that is held.
@@ -87,10 +100,10 @@ impl<const D: usize> Tie<D> {
         reach: f64,
     ) -> Result<Self, Error> {
         let vertices = surface.points(points);
-        let mut facing = Facing { surface, vertices: &vertices, reach };
+        let mut facing = Facing::new(surface, &vertices, reach);
         if reach == 0.0 {
-            facing.reach = REACH
-                * bodies.map(|body| facet_size(&facing, surface.ranges[body].clone())).into_iter().fold(0.0, f64::max);
+            let size = bodies.map(|body| facet_size(&facing, surface.ranges[body].clone()));
+            facing = Facing::new(surface, &vertices, REACH * size[0].max(size[1]));
         }
         let candidates = facing.candidates(bodies);
         let sizes = [0, 1].map(|side| facet_size(&facing, candidates.iter().map(|pair| pair[side])));
@@ -120,6 +133,8 @@ struct Build<'a, const D: usize> {
     largest_gap: f64,
     /// Which part of every facet is tied.
     covered: BTreeMap<usize, f64>,
+    /// Which part of it faces the other body beyond the reach, and how far apart it is.
+    beyond: BTreeMap<usize, (f64, f64)>,
     tied: Vec<TiedPoint<D>>,
 }
 
@@ -132,8 +147,17 @@ impl<'a, const D: usize> Build<'a, D> {
         candidates: &[[usize; 2]],
         side: usize,
     ) -> Self {
-        let (sums, covered, tied) = (BTreeMap::new(), BTreeMap::new(), Vec::new());
-        let mut build = Self { facing, points, weighting, sums, area: 0.0, largest_gap: 0.0, covered, tied };
+        let mut build = Self {
+            facing,
+            points,
+            weighting,
+            sums: BTreeMap::new(),
+            area: 0.0,
+            largest_gap: 0.0,
+            covered: BTreeMap::new(),
+            beyond: BTreeMap::new(),
+            tied: Vec::new(),
+        };
         let mut candidates: Vec<_> = candidates.iter().map(|pair| [pair[side], pair[1 - side]]).collect();
         candidates.sort_unstable();
         candidates.into_iter().filter_map(|pair| facing.common(pair)).for_each(|piece| build.add(&piece));
@@ -144,6 +168,13 @@ impl<'a, const D: usize> Build<'a, D> {
         let (surface, [here, there]) = (self.facing.surface, piece.facets);
         let corners = self.facing.corners(here);
         let size = area_vector(&corners).norm();
+        if piece.beyond > 0.0 {
+            let (part, farthest) = self.beyond.entry(here).or_default();
+            (*part, *farthest) = (*part + piece.beyond, farthest.max(piece.distances[1]));
+        }
+        if piece.corners.is_empty() {
+            return;
+        }
         let rule = degree_5(D - 1);
         for_each_simplex(&piece.corners, |simplex, share| {
             *self.covered.entry(here).or_default() += share;
@@ -203,6 +234,19 @@ impl<'a, const D: usize> Build<'a, D> {
         (found, if gap.abs() > rounding { gap } else { 0.0 })
     }
 
+    /// What is tied by another pair of facets is not left out.
+    fn left_out(&self) -> Option<LeftOut> {
+        let (mut area, mut farthest) = (0.0, 0.0_f64);
+        for (facet, (part, distance)) in &self.beyond {
+            let Some(covered) = self.covered.get(facet) else { continue };
+            let corners = self.facing.corners(*facet);
+            let centre = corners.iter().sum::<Vector<D>>() / D as f64;
+            area += part.min(1.0 - covered).max(0.0) * area_vector(&corners).norm() * self.weighting.at(&centre);
+            farthest = farthest.max(*distance);
+        }
+        (area > TOLD * self.area).then_some(LeftOut { area, farthest, reach: self.facing.given })
+    }
+
     fn finish(self, bodies: [usize; 2], is_second: bool) -> Result<Tie<D>, Error> {
         if self.covered.values().any(|part| *part > 1.0 + TWICE) {
             return Err(Error::Unsupported {
@@ -210,8 +254,10 @@ impl<'a, const D: usize> Build<'a, D> {
             });
         }
         if self.area <= 0.0 {
-            return Err(Error::Untied { bodies, reach: self.facing.reach });
+            let nearest = self.facing.nearest(bodies).unwrap_or(f64::INFINITY);
+            return Err(Error::Untied { bodies, distances: [self.facing.given, nearest] });
         }
+        let left_out = self.left_out();
         let surface = self.facing.surface;
         let mut numbers: BTreeMap<(bool, u32), u32> = BTreeMap::new();
         let mut frames: BTreeMap<usize, u32> = BTreeMap::new();
@@ -249,6 +295,7 @@ impl<'a, const D: usize> Build<'a, D> {
             is_second,
             area: self.area,
             largest_gap: self.largest_gap,
+            left_out,
             products: OnceLock::new(),
         })
     }

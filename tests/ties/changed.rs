@@ -4,6 +4,7 @@ use crate::scene::Scene;
 use crate::{K, in_the_plane, tied};
 use fmc_contact::contact::{GradientRequest, PairOptions, TangentPart};
 use fmc_contact::overlap::Partner::{Body, Obstacle as Rigid};
+use fmc_contact::overlap::Warning;
 use fmc_contact::{EnergyLaw, Error, Obstacle, Options, Pose, Shape};
 use fmc_shapes::rectangle_quad4;
 
@@ -14,10 +15,13 @@ fn what_cannot_be_tied_is_refused_and_changes_nothing() {
     contact.add_obstacle(Obstacle { shape: Shape::HalfSpace, pose: Pose::at([0.0, 0.0]) }).expect("an obstacle");
     let mut refused = |partners, options| contact.set_pair_options(partners, Some(options)).expect_err("no tie");
     let apart = refused([Body(0), Body(1)], PairOptions::tied(0.1));
-    assert_eq!(apart, Error::Untied { bodies: [0, 1], reach: 0.1 });
-    assert!(apart.to_string().contains("within 1e-1"), "{apart}");
+    let Error::Untied { bodies: [0, 1], distances: [reach, nearest] } = apart else { panic!("{apart}") };
+    assert!(reach == 0.1 && (nearest - 0.2).abs() < 1e-12, "{apart}");
+    let named = ["within 1.0000e-1", "2.0000e-1 apart"];
+    assert!(named.iter().all(|part| apart.to_string().contains(part)), "{apart}");
     // A tenth of edges of 1/2.
-    assert_eq!(refused([Body(1), Body(0)], PairOptions::tied(0.0)), Error::Untied { bodies: [0, 1], reach: 0.05 });
+    let by_default = refused([Body(1), Body(0)], PairOptions::tied(0.0));
+    assert!(matches!(by_default, Error::Untied { bodies: [0, 1], distances: [0.05, _] }), "{by_default}");
     for options in [PairOptions::tied(-0.1), PairOptions::tied(f64::NAN), PairOptions::tied(f64::INFINITY)] {
         assert!(matches!(refused([Body(0), Body(1)], options), Error::OfPair { .. }));
     }
@@ -26,6 +30,9 @@ fn what_cannot_be_tied_is_refused_and_changes_nothing() {
         ([Body(0), Rigid(0)], PairOptions::tied(0.3)),
         ([Body(0), Body(0)], PairOptions::tied(0.3)),
         ([Body(0), Body(1)], offset),
+        // What would have no effect.
+        ([Body(0), Body(1)], PairOptions { excluded: true, ..PairOptions::tied(0.3) }),
+        ([Body(0), Body(1)], PairOptions { friction_coefficient: Some(0.3), ..PairOptions::tied(0.3) }),
     ] {
         assert!(matches!(refused(partners, options), Error::OfPair { .. }));
     }
@@ -54,8 +61,7 @@ fn a_tie_takes_the_place_of_the_contact() {
     assert_eq!(tied.pairs[1], before.pairs[1]);
     contact.set_pair_options([Body(0), Body(1)], None).expect("options");
     assert_eq!(contact.evaluate(&scene.coords).expect("an evaluation"), before);
-    let excluded = PairOptions { excluded: true, ..PairOptions::tied(0.0) };
-    contact.set_pair_options([Body(0), Body(1)], Some(excluded)).expect("options");
+    contact.set_pair_options([Body(0), Body(1)], Some(PairOptions::excluded())).expect("options");
     assert_eq!(contact.evaluate(&scene.coords).expect("an evaluation").pairs.len(), 1);
 }
 
@@ -144,4 +150,40 @@ fn multipliers_of_ties_are_released_with_all_others() {
     assert_eq!(contact.evaluate(&coords).expect("an evaluation"), before);
     assert!(contact.set_options(Options::new(EnergyLaw::volume(K))).is_err());
     assert_eq!(contact.evaluate(&coords).expect("an evaluation"), before);
+}
+
+/// A gap that is the reach but for rounding is within it.
+#[test]
+fn a_gap_as_large_as_the_reach_is_tied() {
+    for (at, gap) in [(0.5, 0.1), (0.3, 0.3), (1e3, 0.1)] {
+        let below = rectangle_quad4([0.0, at - 1.0], [1.0, at], [2, 1]);
+        let above = rectangle_quad4([0.0, at + gap], [1.0, at + gap + 1.0], [3, 1]);
+        let mut contact = Scene::of(&[&below, &above]).contact(Options::new(EnergyLaw::depth(K)));
+        contact.set_pair_options([Body(0), Body(1)], Some(PairOptions::tied(gap))).expect("a tie");
+        let tie = contact.tie([0, 1]).expect("bodies").expect("a tie");
+        // As far as rounding of the coordinates lets the gap be known.
+        assert!((tie.area - 1.0).abs() < 1e-12 && (tie.largest_gap - gap).abs() < 1e-12 * at, "{tie:?}");
+    }
+}
+
+/// Below a face that rises by 0.4 over its length of 1, a reach of 0.1 ties a quarter: the rest is told, and with a larger reach there is none.
+#[test]
+fn faces_that_are_tied_in_part_are_told() {
+    let below = rectangle_quad4([0.0, 0.0], [1.0, 1.0], [1, 1]);
+    let mut above = rectangle_quad4([0.0, 1.0], [1.0, 2.0], [1, 1]);
+    above.coords.iter_mut().filter(|x| x[0] == 1.0 && x[1] == 1.0).for_each(|x| x[1] = 1.4);
+    let scene = Scene::of(&[&below, &above]);
+    let mut contact = scene.contact(Options::new(EnergyLaw::depth(K)));
+    contact.set_pair_options([Body(0), Body(1)], Some(PairOptions::tied(0.1))).expect("a tie");
+    let found = contact.evaluate(&scene.coords).expect("an evaluation").warnings;
+    let [Warning::TiedInPart { a: Body(0), b: Body(1), tied, left_out, distances: [reach, farthest] }] = found[..]
+    else {
+        panic!("{found:?}")
+    };
+    // Gaps are measured across the face that holds, the slanted one: a part of it that is as long as its normal is steep.
+    let whole = tied + left_out;
+    assert!(((1.0..1.1).contains(&whole)) && (tied / whole - 0.25).abs() < 0.05, "{found:?}");
+    assert!(reach == 0.1 && (0.3..0.41).contains(&farthest), "{found:?}");
+    contact.set_pair_options([Body(0), Body(1)], Some(PairOptions::tied(0.5))).expect("a tie");
+    assert!(contact.evaluate(&scene.coords).expect("an evaluation").warnings.is_empty());
 }

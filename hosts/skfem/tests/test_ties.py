@@ -8,6 +8,7 @@ from scipy.sparse import block_diag
 from scipy.sparse.linalg import spsolve
 from skfem import (
     Basis,
+    BilinearForm,
     ElementHex1,
     ElementHex2,
     ElementHexS2,
@@ -27,6 +28,7 @@ from skfem import (
     MeshTet,
     MeshTri,
 )
+from skfem.helpers import ddot, grad, mul, trace, transpose
 from skfem.models.elasticity import lame_parameters, linear_elasticity
 
 LAME, SHEAR = lame_parameters(1.0, 0.3)
@@ -241,3 +243,105 @@ def test_equations_are_those_that_a_host_eliminates():
     u = np.zeros(len(free))
     u[free] = left @ np.linalg.solve(matrix, left.T @ tied.load[free])
     assert np.abs(u - tied.by_penalty()).max() < 1e-5 * np.abs(u).max()
+
+
+def kinematics(u):
+    """Deformation gradient and Green's strain."""
+    identity = np.zeros_like(u)
+    for axis in range(len(u)):
+        identity[axis, axis] = 1.0
+    gradient = identity + u
+    return gradient, 0.5 * (mul(transpose(gradient), gradient) - identity), identity
+
+
+def finite(bases):
+    """A host of bodies with the material of St. Venant and Kirchhoff: residual and matrix."""
+    starts = np.cumsum([0] + [basis.N for basis in bases])
+
+    def stress(strain, identity):
+        return 2.0 * SHEAR * strain + LAME * trace(strain) * identity
+
+    def residual(u):
+        forces, matrices = [], []
+        for basis, first in zip(bases, starts):
+
+            @LinearForm
+            def inside(v, w):
+                f, strain, identity = kinematics(w["now"].grad)
+                return ddot(mul(f, stress(strain, identity)), grad(v))
+
+            @BilinearForm
+            def slope(du, v, w):
+                f, strain, identity = kinematics(w["now"].grad)
+                by = 0.5 * (mul(transpose(grad(du)), f) + mul(transpose(f), grad(du)))
+                return ddot(mul(grad(du), stress(strain, identity)) + mul(f, stress(by, identity)), grad(v))
+
+            now = basis.interpolate(u[first : first + basis.N])
+            forces.append(inside.assemble(basis, now=now))
+            matrices.append(slope.assemble(basis, now=now))
+        return np.concatenate(forces), block_diag(matrices, "csr")
+
+    return residual
+
+
+@pytest.mark.parametrize(("kind", "steps"), [("Q4", 1), ("Q4", 4), ("Q9", 3), ("H8", 3)])
+def test_a_tied_body_turned_in_few_steps_is_left_without_stress(kind, steps):
+    """One body is turned by 120 degrees, the other follows. Multipliers found on the way there would leave a false stress of 1e-3 E."""
+    bases = [block(kind, edges, low) for edges, low in ((2, 0.0), (3, 0.5))]
+    starts = np.cumsum([0] + [basis.N for basis in bases])
+    places = np.concatenate([basis.doflocs.T for basis in bases])
+    axis = np.concatenate([np.zeros(basis.N, int) for basis in bases])
+    for basis, first in zip(bases, starts):
+        for k in range(basis.mesh.dim()):
+            axis[first + basis.get_dofs(elements=True).all(f"u^{k + 1}")] = k
+    contact = SkfemContact(list(zip(bases, starts)))
+    contact.contact.pairs.set(0, 1, interface="tied")
+    free = np.ones(starts[-1], bool)
+    free[bases[0].get_dofs(lambda x: np.isclose(x[-1], 0.0)).all()] = False
+    u = np.zeros(starts[-1])
+    for step in range(1, steps + 1):
+        angle = np.radians(120.0) * step / steps
+        c, s, last = np.cos(angle), np.sin(angle), places.shape[1] - 1
+        turned = places.copy()
+        turned[:, 0], turned[:, last] = c * places[:, 0] - s * places[:, last], s * places[:, 0] + c * places[:, last]
+        rigid = np.take_along_axis(turned - places, axis[:, None], 1)[:, 0]
+        found = find_equilibrium(finite(bases), contact, u, free, rigid)
+        u = found.x
+        assert not found.warnings
+        # Residuals of 1e-8 of the forces on the way, of which nothing is left at the end but rounding.
+        assert np.abs(u - rigid).max() < 1e-9
+        assert found.penetration < 1e-12
+    assert np.abs(contact.contact.tie_nodes(contact.coords(u)).traction).max() < 1e-9
+
+
+@pytest.mark.parametrize("friction", [0.0, 0.3])
+@pytest.mark.parametrize("is_tied", [True, False])
+@pytest.mark.parametrize("loads", [(1.0, 0.0), (1.0, 0.1, 0.01, 0.0), (1.0, 0.5, 1.0, 0.0)])
+def test_a_stack_is_unloaded_to_nothing(friction, is_tied, loads):
+    """Two blocks, tied or one, on a third: pressed, and the load taken away. Multipliers fall with the load: without load nothing is left."""
+    element = ElementVector(ElementQuad1())
+    heights = [(0.0, 0.5, 4), (0.5, 1.0, 3)] if is_tied else [(0.0, 1.0, 7)]
+    meshes = [MeshQuad.init_tensor(np.linspace(-1, 2, 13), np.linspace(-1, 0, 5))]
+    meshes += [MeshQuad.init_tensor(np.linspace(0, 1, 8 - k), np.linspace(low, top, n + 1)) for k, (low, top, n) in enumerate(heights)]
+    bases = [Basis(mesh, element) for mesh in meshes]
+    starts = np.cumsum([0] + [basis.N for basis in bases])
+    matrix = block_diag([linear_elasticity(LAME, SHEAR).assemble(basis) for basis in bases], format="csr")
+    contact = SkfemContact(list(zip(bases, starts)), friction_coefficient=friction)
+    if is_tied:
+        contact.contact.pairs.set(1, 2, interface="tied")
+    top = FacetBasis(meshes[-1], element, facets=meshes[-1].facets_satisfying(lambda x: np.isclose(x[1], 1.0)))
+    load = np.zeros(starts[-1])
+    load[starts[-2] :] = LinearForm(lambda v, w: -0.01 * v[1]).assemble(top)
+    free = np.ones(starts[-1], bool)
+    free[bases[0].get_dofs(lambda x: np.isclose(x[1], -1.0)).all()] = False
+    u = np.zeros(starts[-1])
+    for number, part in enumerate(loads):
+        found = find_equilibrium(lambda u: (matrix @ u - part * load, matrix), contact, u, free)
+        u = found.x
+        if friction:
+            contact.commit_step(u)
+        assert abs(found.reactions[~free].sum() - part * 0.01) < 1e-9
+        # What friction leaves behind needs a way of its own: facets that stuck slide back.
+        if number > 0 and not friction:
+            assert found.iterations <= 6
+    assert abs(u @ (matrix @ u)) < 1e-12 * 0.01

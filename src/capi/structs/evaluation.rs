@@ -174,6 +174,9 @@ pub enum fmc_warning {
     /// `fmc_context_set_surface_smoothing` has no effect on a pair of bodies, since its law is not "depth": it is measured by straight
     /// facets.
     FMC_WARNING_UNUSED_SMOOTHING = 11,
+    /// Faces of bodies that are tied lie in part farther apart than the reach, as those of coarse round bodies, and are tied in part only;
+    /// the text gives areas and distances. A larger `reach` of the pair ties them.
+    FMC_WARNING_TIED_IN_PART = 12,
 }
 
 fn warning_code(warning: &Warning) -> i32 {
@@ -188,6 +191,7 @@ fn warning_code(warning: &Warning) -> i32 {
         Warning::CurvedFaces { .. } => fmc_warning::FMC_WARNING_CURVED_FACES,
         Warning::CoarseFaces { .. } => fmc_warning::FMC_WARNING_COARSE_FACES,
         Warning::UnusedSmoothing { .. } => fmc_warning::FMC_WARNING_UNUSED_SMOOTHING,
+        Warning::TiedInPart { .. } => fmc_warning::FMC_WARNING_TIED_IN_PART,
         Warning::SwallowedBody { .. } => fmc_warning::FMC_WARNING_SWALLOWED_BODY,
     };
     code as i32

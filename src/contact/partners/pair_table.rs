@@ -1,6 +1,6 @@
 //! The pairs that have options of their own, and the law that each follows.
 
-use super::pair_options::PairOptions;
+use super::pair_options::{Interface, PairOptions};
 use super::parallel::Parallel;
 use super::rigid::Rigid;
 use crate::Error;
@@ -152,13 +152,16 @@ fn check_offset(pair: &[Partner; 2], options: &PairOptions, has_depth: bool) -> 
 }
 
 fn check_tie(pair: &[Partner; 2], options: &PairOptions, law: &EnergyLaw) -> Result<(), Error> {
-    let Some(reach) = options.tied_within() else { return Ok(()) };
+    let Interface::Tied { reach } = options.interface else { return Ok(()) };
+    let rubs = options.friction_coefficient.is_some() || options.static_friction.is_some();
     let what = match pair {
         [_, Partner::Obstacle(_)] => "a body that is tied to an obstacle: the host prescribes how its nodes move",
         [a, b] if a == b => "a body that is tied to itself",
         _ if matches!(law, EnergyLaw::Volume { .. }) => {
             "bodies that are tied by the law volume, which has no stiffness by area: give the pair the law depth"
         }
+        _ if options.excluded => "a pair that is both left out and tied",
+        _ if rubs => "friction of bodies that are tied: they do not slide",
         _ if options.gap_offset != 0.0 => "a gap offset of bodies that are tied: their gap is kept as it is",
         _ if !(reach.is_finite() && reach >= 0.0) => return Err(Error::NotPositive { name: "reach", value: reach }),
         _ => return Ok(()),

@@ -5,8 +5,8 @@ use crate::contact::laws::{Answer, PairEnergy};
 use crate::contact::mesh::Mesh;
 use crate::contact::tangents::{Tangent, TangentPart};
 use crate::geometry::{Vector, Weighting};
-use crate::interfaces::{Curvature, Tie, TieAt};
-use crate::overlap::{Overlap, Partner};
+use crate::interfaces::{Curvature, LeftOut, Tie, TieAt};
+use crate::overlap::{Overlap, Partner, Warning};
 use std::collections::BTreeMap;
 
 /// Ties by pair of bodies, ascending.
@@ -26,7 +26,7 @@ pub(crate) type TieMultipliers<const D: usize> = BTreeMap<[usize; 2], Vec<Vector
 
 /// What ties ask of their multipliers.
 #[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Change {
+pub(crate) struct TieChange {
     /// The largest mean jump.
     pub(crate) largest: f64,
     /// Mean of the jumps by the tractions.
@@ -79,6 +79,11 @@ impl<const D: usize> Ties<D> {
         })
     }
 
+    /// Whether bodies are tied to any other.
+    pub(crate) fn tied_bodies(&self, body_count: usize) -> Vec<bool> {
+        (0..body_count).map(|body| self.0.keys().any(|bodies| bodies.contains(&body))).collect()
+    }
+
     /// The tie of two bodies.
     pub(crate) fn of(&self, bodies: [usize; 2]) -> Option<Result<&Tie<D>, Error>> {
         self.0.get(&bodies).map(|held| held.tie.as_ref().map_err(Error::clone))
@@ -109,8 +114,8 @@ impl<const D: usize> Ties<D> {
         &self,
         points: &[[f64; D]],
         stiffness: impl Fn([Partner; 2]) -> f64,
-    ) -> Result<(Change, TieMultipliers<D>), Error> {
-        let (mut found, mut next) = (Change::default(), TieMultipliers::new());
+    ) -> Result<(TieChange, TieMultipliers<D>), Error> {
+        let (mut found, mut next) = (TieChange::default(), TieMultipliers::new());
         let (mut work, mut force) = (0.0, 0.0);
         for held in self.all() {
             let (tie, multipliers) = held?;
@@ -129,6 +134,11 @@ impl<const D: usize> Ties<D> {
     /// The multipliers of all, to be put back by [`Self::put_back`].
     pub(crate) fn multipliers(&self) -> TieMultipliers<D> {
         self.0.iter().map(|(bodies, held)| (*bodies, held.multipliers.clone())).collect()
+    }
+
+    /// Leaves a part of them.
+    pub(crate) fn scale_multipliers(&mut self, part: f64) {
+        self.0.values_mut().flat_map(|held| &mut held.multipliers).for_each(|traction| *traction *= part);
     }
 
     pub(crate) fn put_back(&mut self, mut multipliers: TieMultipliers<D>) {
@@ -167,7 +177,7 @@ fn pair_energy<const D: usize>(tie: &Tie<D>, at: &TieAt<'_, D>) -> PairEnergy<D>
         crossing_count: 0,
         facet_count: 0,
         spacing: 0.0,
-        warnings: Vec::new(),
+        warnings: tie.left_out.iter().map(|left_out| tied_in_part(tie, left_out)).collect(),
     };
     PairEnergy {
         overlap,
@@ -178,4 +188,9 @@ fn pair_energy<const D: usize>(tie: &Tie<D>, at: &TieAt<'_, D>) -> PairEnergy<D>
         of_b: tie.of_b.clone(),
         pose_gradient: None,
     }
+}
+
+fn tied_in_part<const D: usize>(tie: &Tie<D>, &LeftOut { area, farthest, reach }: &LeftOut) -> Warning {
+    let [a, b] = tie.bodies.map(Partner::Body);
+    Warning::TiedInPart { a, b, tied: tie.area, left_out: area, distances: [reach, farthest] }
 }

@@ -118,6 +118,20 @@ pub enum Warning {
         /// Second body of the pair.
         b: Partner,
     },
+    /// Faces of bodies that are tied lie in part farther apart than the reach, as those of coarse round bodies, or of a wedge: they are
+    /// tied in part only. A larger reach ties them.
+    TiedInPart {
+        /// First body of the pair.
+        a: Partner,
+        /// Second body of the pair.
+        b: Partner,
+        /// Area (2D: length) that is tied.
+        tied: f64,
+        /// Area of facets that are tied in part, and lie beyond the reach there.
+        left_out: f64,
+        /// The reach, and how far apart what is left out is at most.
+        distances: [f64; 2],
+    },
     /// One body lies inside the other: the overlap has no boundary on the other and does not push it out.
     SwallowedBody {
         /// The body inside.
@@ -219,6 +233,11 @@ impl fmt::Display for Warning {
                 f,
                 "{a} and {b}: set_surface_smoothing has no effect on them, since only the law depth measures round faces; straight facets \
                  stand for them"
+            ),
+            Warning::TiedInPart { a, b, tied, left_out, distances: [reach, farthest] } => write!(
+                f,
+                "{a} and {b} are tied over an area of {tied:.3e}; {left_out:.3e} more of the same faces lies farther apart than the reach of \
+                 {reach:.3e}, up to {farthest:.3e}, and is not tied: give a larger reach if it shall be"
             ),
             Warning::SwallowedBody { inner, outer } => write!(f, "{inner} lies inside {outer} and is not pushed out"),
         }
