@@ -91,7 +91,9 @@ impl Updates {
     /// Another part of the load step begins. Without a history only its end needs them.
     pub(super) fn begin(&mut self, is_needed: bool) {
         self.is_needed = is_needed;
-        (self.before, self.pressed, self.last, self.is_cut_short) = (self.count, 0.0, f64::INFINITY, false);
+        // Where a penetration is asked for, a load step has as many as were asked for, whatever its parts.
+        self.before = if self.asked.is_some() { 0 } else { self.count };
+        (self.pressed, self.last, self.is_cut_short) = (0.0, f64::INFINITY, false);
     }
 
     /// A load falls from where contact presses like this.
