@@ -5,6 +5,7 @@ mod derivatives;
 pub mod equilibrium;
 mod evaluation;
 mod explicit;
+mod flux;
 mod friction;
 mod history;
 mod interface;
@@ -23,6 +24,7 @@ pub use equilibrium::{Augmentation, CondensedBodies, ContactStep, ContactStepOpt
 pub use evaluation::Contact;
 pub(crate) use evaluation::{Needed, hash_in_common, needed};
 pub use explicit::{Accuracy, largest_eigenvalue};
+pub use flux::{Conductance, ContactFlux, FluxRequest};
 pub use friction::{FacetSlip, Friction, FrictionTotals, StaticFriction};
 pub use history::Multiplier;
 pub use interface::{FrictionStep, contact_force, contact_force_step};

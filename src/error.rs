@@ -141,6 +141,15 @@ pub enum Error {
         /// Its value.
         value: f64,
     },
+    /// An entry of an array is NaN or infinite, negative where it must not be, or not larger than the one before where entries ascend.
+    BadEntry {
+        /// Name of the array.
+        array: &'static str,
+        /// Place in it, counted from 0.
+        entry: usize,
+        /// What stands there.
+        value: f64,
+    },
     /// The mass of a node that feels contact is not positive.
     NotPositiveMass {
         /// Node.

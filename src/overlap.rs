@@ -15,7 +15,7 @@ pub(crate) use depth::integral::{DepthIntegral, DepthRequest};
 pub(crate) use depth::measure::depth_integral;
 pub(crate) use depth::points::{DepthPlace, DepthPoint, PlaceInCell, PointLists, without_rounding};
 pub(crate) use depth::{DepthSeeds, depth_slopes};
-pub(crate) use gaps::{NodalGap, nodal_gaps};
+pub(crate) use gaps::{NodalGap, gap_points, nodal_gaps};
 pub(crate) use lines::pair_estimator::PairEstimator;
 pub(crate) use normal_lines::patches::partition::Patches;
 pub(crate) use normal_lines::patches::search::{Reach, find as find_patches};

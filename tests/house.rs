@@ -42,6 +42,7 @@ const ROOMS: &[&str] = &[
     "contact/partners",
     "contact/mesh",
     "contact/ties",
+    "contact/flux",
     "contact/work",
     "contact/history",
     "contact/derivatives",

@@ -1,7 +1,8 @@
-//! What hosts call: `contact` (the functions of [`Contact`](crate::Contact)) · `gradients` (its derivatives) · `ties` (of bodies that are
+//! What hosts call: `contact` (the functions of [`Contact`](crate::Contact)) · `gradients` (its derivatives) · `flux` (of scalar fields) · `ties` (of bodies that are
 //! tied) · `stateless` (all in one call)
 
 mod contact;
+mod flux;
 mod gradients;
 mod offsets;
 mod stateless;

@@ -54,6 +54,7 @@ impl Error {
             | Error::ObstacleRemoved { obstacle: _ }
             | Error::BodyOutOfRange { body: _, count: _ }
             | Error::NonFiniteStiffness { array: _, entry: _ }
+            | Error::BadEntry { array: _, entry: _, value: _ }
             | Error::SlipRow { row: _, what: _ }
             | Error::DegenerateHull { point_count: _ }
             | Error::TooFewHeights { axis: _, count: _ }

@@ -79,6 +79,9 @@ impl fmt::Display for Error {
             }
             Error::Empty => write!(f, "there are no cells and no facets"),
             Error::NotPositive { name, value } => write!(f, "'{name}' is {value}, which is not allowed"),
+            Error::BadEntry { array, entry, value } => {
+                write!(f, "entry {entry} of '{array}' is {value}, which is not allowed")
+            }
             Error::NotPositiveMass { node, value } => {
                 write!(f, "node {node} feels contact, and its mass is {value}: a positive one is needed")
             }

@@ -20,6 +20,8 @@ pub(super) struct CommonPiece<const D: usize> {
     pub(super) corners: Corners<D>,
     /// Barycentric coordinates in the second facet, along the normal of the first, at the corners of the first facet.
     pub(super) across: [[f64; D]; D],
+    /// How far the second facet lies above the first there, along its normal.
+    pub(super) gaps: [f64; D],
     /// The part of the first facet that faces the second farther apart than the reach.
     pub(super) beyond: f64,
     /// The distance between both facets, or how far they overlap: the least and the largest.
@@ -32,7 +34,7 @@ pub(super) struct Facing<'a, const D: usize> {
     /// Positions of the surface's vertices.
     pub(super) vertices: &'a [Vector<D>],
     /// How far apart facets may be, or how far they may overlap.
-    reach: f64,
+    pub(super) reach: f64,
     /// The same as it was given.
     pub(super) given: f64,
 }
@@ -68,16 +70,20 @@ impl<'a, const D: usize> Facing<'a, D> {
         self.surface.facets[facet].map(|vertex| self.vertices[vertex as usize])
     }
 
-    /// Pairs of facets that may have a common piece.
+    /// Pairs of facets of two bodies that may have a common piece.
     pub(super) fn candidates(&self, bodies: [usize; 2]) -> Vec<[usize; 2]> {
-        let boxes = bodies.map(|body| {
-            let facets = self.surface.ranges[body].clone();
-            facets.map(|facet| Aabb::of(&self.corners(facet)).inflated(self.reach)).collect::<Vec<_>>()
+        self.candidates_among(bodies.map(|body| self.surface.ranges[body].clone().collect()))
+    }
+
+    /// The same among some facets of either.
+    pub(super) fn candidates_among(&self, facets: [Vec<usize>; 2]) -> Vec<[usize; 2]> {
+        let boxes = facets.each_ref().map(|facets| {
+            let inflated = |&facet: &usize| Aabb::of(&self.corners(facet)).inflated(self.reach);
+            facets.iter().map(inflated).collect::<Vec<_>>()
         });
-        let [first, second] = bodies.map(|body| self.surface.ranges[body].start);
         let mut found = Vec::new();
         Tree::new(&boxes[0]).visit_pairs(&Tree::new(&boxes[1]), [&boxes[0], &boxes[1]], |i, j| {
-            found.push([first + i as usize, second + j as usize]);
+            found.push([facets[0][i as usize], facets[1][j as usize]]);
         });
         found.retain(|&[here, there]| self.face(here, there));
         found.sort_unstable();
@@ -91,6 +97,15 @@ impl<'a, const D: usize> Facing<'a, D> {
 
     /// The piece of the first facet that faces the second.
     pub(super) fn common(&self, facets: [usize; 2]) -> Option<CommonPiece<D>> {
+        self.common_between(facets, [-self.reach, self.reach])
+    }
+
+    /// The same where the gap lies between two limits, and none where it does so nowhere.
+    pub(super) fn common_within(&self, facets: [usize; 2], limits: [f64; 2]) -> Option<CommonPiece<D>> {
+        self.common_between(facets, limits).filter(|piece| !piece.corners.is_empty())
+    }
+
+    fn common_between(&self, facets: [usize; 2], [least, most]: [f64; 2]) -> Option<CommonPiece<D>> {
         let [x, y] = facets.map(|facet| self.corners(facet));
         let n = area_vector(&x).try_normalize(0.0)?;
         let whole = seen(&y, &n);
@@ -105,19 +120,19 @@ impl<'a, const D: usize> Facing<'a, D> {
                 return None;
             }
         }
-        let gap: [f64; D] = std::array::from_fn(|c| (place(&y, &across[c]) - x[c]).dot(&n));
+        let gaps: [f64; D] = std::array::from_fn(|c| (place(&y, &across[c]) - x[c]).dot(&n));
         let whole: f64 = piece.moments().iter().sum();
         if whole <= ROUNDING {
             return None;
         }
-        let gaps = piece.corners().iter().map(|corner| (0..D).map(|c| corner[c] * gap[c]).sum::<f64>());
-        let [least, most] = gaps.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], gap| [a.min(gap), b.max(gap)]);
-        let nearest = if least <= 0.0 && most >= 0.0 { 0.0 } else { least.abs().min(most.abs()) };
-        let is_within = piece.cut(&gap.map(|gap| gap - self.reach)) && piece.cut(&gap.map(|gap| -gap - self.reach));
+        let at_corners = piece.corners().iter().map(|corner| (0..D).map(|c| corner[c] * gaps[c]).sum::<f64>());
+        let [low, high] = at_corners.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], gap| [a.min(gap), b.max(gap)]);
+        let nearest = if low <= 0.0 && high >= 0.0 { 0.0 } else { low.abs().min(high.abs()) };
+        let is_within = piece.cut(&gaps.map(|gap| gap - most)) && piece.cut(&gaps.map(|gap| least - gap));
         let size: f64 = if is_within { piece.moments().iter().sum() } else { 0.0 };
         let corners = if size > ROUNDING { piece.corners().iter().copied().collect() } else { Corners::new() };
-        let distances = [nearest, least.abs().max(most.abs())];
-        Some(CommonPiece { facets, corners, across, beyond: (whole - size).max(0.0), distances })
+        let distances = [nearest, low.abs().max(high.abs())];
+        Some(CommonPiece { facets, corners, across, gaps, beyond: (whole - size).max(0.0), distances })
     }
 }
 

@@ -6,7 +6,7 @@ use crate::geometry::{Surface, Vector};
 const ROUNDING: f64 = 1e-14;
 
 /// Points that move a place, with their weights.
-pub(super) type Weights = Vec<(u32, f64)>;
+pub(crate) type Weights = Vec<(u32, f64)>;
 
 /// The weights of a place of a facet, given by barycentric coordinates: those of the shape functions of its cell where that is curved,
 /// else those of the straight facet.

@@ -49,6 +49,8 @@ pub(crate) struct Tie<const D: usize> {
     pub(super) frames: Vec<[Weights; D]>,
     /// Whether the side of the hat functions is the second body.
     pub(crate) is_second: bool,
+    /// How far apart the surfaces may be, or how far they may overlap.
+    pub(crate) reach: f64,
     /// What is tied, in area (2D: length).
     pub(crate) area: f64,
     /// The largest gap, or overlap, that is kept.
@@ -293,6 +295,7 @@ impl<'a, const D: usize> Build<'a, D> {
             rows: self.sums.iter().filter(|(_, sums)| sums.measure > 0.0).map(row).collect(),
             frames: frames.keys().map(|facet| surface.facets[*facet].map(corner)).collect(),
             is_second,
+            reach: self.facing.reach,
             area: self.area,
             largest_gap: self.largest_gap,
             left_out,

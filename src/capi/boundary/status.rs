@@ -239,7 +239,7 @@ impl From<&Error> for fmc_status {
             Error::InconsistentOrientation { .. } => FMC_ERROR_INCONSISTENT_ORIENTATION,
             Error::InvertedSurface { .. } => FMC_ERROR_INVERTED_SURFACE,
             Error::Empty => FMC_ERROR_EMPTY,
-            Error::NotPositive { .. } => FMC_ERROR_NOT_POSITIVE,
+            Error::NotPositive { .. } | Error::BadEntry { .. } => FMC_ERROR_NOT_POSITIVE,
             Error::NotPositiveMass { .. } => FMC_ERROR_NOT_POSITIVE_MASS,
             Error::BadPose { .. } => FMC_ERROR_BAD_POSE,
             Error::ObstacleOutOfRange { .. } => FMC_ERROR_OBSTACLE_OUT_OF_RANGE,

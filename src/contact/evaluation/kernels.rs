@@ -1,5 +1,6 @@
 //! The evaluations, each compiled here for the plane and for space: see [`crate::dimension`].
 
+use super::flux::flux_in;
 use super::gradients::gradients_in;
 use super::measured::measured_pairs;
 use super::parts::Contact;
@@ -9,6 +10,7 @@ use super::walk::{for_each_pair, for_each_pair_within};
 use crate::Error;
 use crate::contact::derivatives::{GradientRequest, Gradients};
 use crate::contact::explicit::largest_step;
+use crate::contact::flux::FluxRequest;
 use crate::contact::friction::{SlipFacets, Tractions};
 use crate::contact::laws::{Asked, PairEnergy};
 use crate::contact::results::{
@@ -17,7 +19,7 @@ use crate::contact::results::{
 use crate::contact::tangents::{Tangent, TangentPart};
 use crate::dimension::{recast, rows};
 use crate::overlap::normal_lines::estimate as normal_lines;
-use crate::overlap::{self, FiberTrace, Overlap, Partner, Patches, Reach, Warning};
+use crate::overlap::{self, Block, FiberTrace, Overlap, Partner, Patches, Reach, Warning};
 use std::any::Any;
 
 /// Facets with friction by pair.
@@ -98,6 +100,11 @@ macro_rules! traces { ($d:expr) => { Vec<FiberTrace<$d>> }; }
 macro_rules! nodal { ($d:expr) => { NodalContact<$d> }; }
 macro_rules! point_list { ($d:expr) => { Vec<PointOfContact<$d>> }; }
 macro_rules! constraint_rows { ($d:expr) => { GapConstraints<$d> }; }
+macro_rules! conduction {
+    ($d:expr) => {
+        Vec<Block<1>>
+    };
+}
 macro_rules! slip_list { ($d:expr) => { SlipFacetsByPair<$d> }; }
 macro_rules! patch_list { ($d:expr) => { PatchesByPair<$d> }; }
 
@@ -123,6 +130,8 @@ kernel! { /// The contact points.
 contact_points = contact_points_in() -> point_list }
 kernel! { /// Gaps of the nodes within reach.
 gap_constraints = gap_constraints_in(reach: f64) -> constraint_rows, True }
+kernel! { /// Conduction by points.
+flux = flux_in(request: &FluxRequest) -> conduction }
 kernel! { /// Facets on which friction acts.
 slip_facets = slip_facets_in() -> slip_list }
 kernel! { /// Patches of all pairs, for all facets.

@@ -75,6 +75,10 @@ impl<const D: usize> PairLaw<D> for DepthLaw {
         true
     }
 
+    fn pressure(&self, penetration: f64) -> Option<f64> {
+        Some(self.stiffness * penetration.max(0.0))
+    }
+
     fn initial_stiffness(&self) -> Option<f64> {
         Some(self.stiffness)
     }

@@ -69,6 +69,10 @@ impl<const D: usize> PairLaw<D> for FiberLaw {
         true
     }
 
+    fn pressure(&self, penetration: f64) -> Option<f64> {
+        Some(self.0.energy_gradient(penetration))
+    }
+
     fn initial_stiffness(&self) -> Option<f64> {
         Some(self.0.energy_hessian(0.0))
     }

@@ -31,6 +31,11 @@ pub(crate) trait PairLaw<const D: usize>: Send + Sync {
         false
     }
 
+    /// Its pressure at a penetration; `None` where that is one for the whole pair.
+    fn pressure(&self, _penetration: f64) -> Option<f64> {
+        None
+    }
+
     /// The stiffness of its pressure at a first touch, per penetration, where it has one.
     fn initial_stiffness(&self) -> Option<f64> {
         None

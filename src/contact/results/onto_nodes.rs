@@ -30,6 +30,12 @@ impl<const D: usize> OntoNodes for ContactForces<D> {
     }
 }
 
+impl OntoNodes for Vec<Block<1>> {
+    fn onto_nodes(self, division: &Division) -> Self {
+        blocks_of_nodes(division.map(), &self)
+    }
+}
+
 impl<const D: usize> OntoNodes for (ContactForces<D>, Tangent<D>) {
     fn onto_nodes(self, division: &Division) -> Self {
         (self.0.onto_nodes(division), self.1.onto_nodes(division))

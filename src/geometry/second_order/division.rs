@@ -169,6 +169,11 @@ impl Division {
         self.of_unknowns.as_ref().unwrap_or(&self.interpolation)
     }
 
+    /// Whether a host's unknowns move the points.
+    pub(crate) fn has_basis(&self) -> bool {
+        self.of_unknowns.is_some()
+    }
+
     /// Has the nodes moved by unknowns, or by themselves again.
     ///
     /// # Errors
