@@ -1,6 +1,7 @@
 //! What was found beside nodal forces.
 
 pub(super) mod contact_points;
+pub(super) mod flux;
 pub(super) mod gap_constraints;
 pub(super) mod getters;
 pub(super) mod gradients;

@@ -1,11 +1,12 @@
 //! A contact of one dimension, as the C interface sees it.
 //!
-//! `mesh` · `partners` · `steps` · `results` · `gradients`
+//! `mesh` · `partners` · `steps` · `results` · `gradients` · `flux`
 //!
 //! # Safety
 //! Of all that is unsafe here the caller guarantees the views, shapes and functions that it passes on, as the host has guaranteed them: they
 //! are what they say they are as long as the call lasts, and nothing else writes what is read.
 
+mod flux;
 mod gradients;
 mod mesh;
 mod partners;

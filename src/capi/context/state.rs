@@ -14,7 +14,7 @@ use crate::capi::structs::gap_constraint::KeptGaps;
 use crate::capi::structs::kept_tangent::Kept;
 use crate::capi::structs::options::fmc_options;
 use crate::capi::structs::view::fmc_coords;
-use crate::contact::Pattern;
+use crate::contact::{CompressedRows, Pattern};
 use std::ffi::{c_char, c_void};
 use std::sync::{RwLock, RwLockReadGuard, TryLockError};
 
@@ -42,6 +42,8 @@ pub(crate) struct State {
     pub(crate) tangent: Kept,
     points: Found<Vec<fmc_contact_point>>,
     gaps: Found<KeptGaps>,
+    /// What conducts, as the last flux found it.
+    pub(crate) flux: CompressedRows<f64>,
     /// How often the context was changed, or could have been.
     calls: u64,
     /// Of the compressed rows, while it is kept.
@@ -61,6 +63,11 @@ impl fmc_context {
     }
 }
 
+/// A matrix without rows.
+fn nothing() -> CompressedRows<f64> {
+    CompressedRows { offsets: vec![0], cols: Vec::new(), values: Vec::new() }
+}
+
 impl State {
     pub(crate) fn new(session: Session, index_size: IndexSize, options: &fmc_options) -> Self {
         Self {
@@ -69,6 +76,7 @@ impl State {
             tangent: Kept::default(),
             points: Found::default(),
             gaps: Found::default(),
+            flux: nothing(),
             calls: 0,
             pattern: None,
             index_size,
@@ -82,7 +90,7 @@ impl State {
     /// Forgets what was kept of nodes and facets, which have other numbers now.
     pub(crate) fn renumber(&mut self) {
         (self.evaluation, self.tangent) = (Evaluation::default(), Kept::default());
-        (self.points, self.gaps) = (Found::default(), Found::default());
+        (self.points, self.gaps, self.flux) = (Found::default(), Found::default(), nothing());
         if let Some(pattern) = &mut self.pattern {
             *pattern = Pattern::default();
         }
