@@ -11,6 +11,7 @@ mod creation;
 mod equilibrium;
 mod evaluation;
 mod fields;
+mod flux;
 mod friction;
 mod getters;
 mod gradients;
@@ -110,6 +111,7 @@ impl Host {
             Call::Gaps { reach, hole } => {
                 self.gaps(reach.0, *hole);
                 self.ties(*hole);
+                self.flux(reach.0, reach.0, *hole);
             }
             Call::KeepPatches { forget, hole } => self.keep_patches(*forget, *hole),
             Call::SetOptions(from) => self.set_options(&options(from, self.mesh.is_ordinary())),

@@ -385,6 +385,22 @@ class Context : public AddsShapes<Context> {
     return gaps;
   }
 
+  // What flows through the contact of one or several fields, field after field, with values for every row of `coords`, and for every
+  // obstacle; none for these: nothing flows into obstacles. See `fmc_context_flux`.
+  ContactFlux flux(Coords coords, const Conductance& conductance, const std::vector<double>& fields,
+                   const std::vector<double>& of_obstacles = {}) {
+    const auto x = coords.as_c(dim_);
+    const auto tables = conductance.as_c();
+    const std::size_t count = x.node_count == 0 ? 0 : fields.size() / x.node_count;
+    ContactFlux found;
+    found.flux.resize(fields.size()), found.of_obstacles.resize(of_obstacles.size());
+    const auto* others = of_obstacles.empty() ? nullptr : of_obstacles.data();
+    auto* into = of_obstacles.empty() ? nullptr : found.of_obstacles.data();
+    call(fmc_context_flux(get(), &x, &tables, count, fields.data(), others, found.flux.data(), into));
+    found.matrix = csr<int64_t>(1, [&](auto... arrays) { return fmc_context_flux_matrix(get(), arrays...); });
+    return found;
+  }
+
   // The tie of two bodies; its area is 0 where they are not tied.
   fmc_tie tie(std::size_t a, std::size_t b) const {
     fmc_tie result{};

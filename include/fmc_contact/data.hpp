@@ -303,6 +303,34 @@ struct GapConstraints {
   Csr<int64_t> gradient;
 };
 
+// How well contacts conduct: h by pressure where surfaces touch, by gap where they are apart, see `fmc_conductance`. None at first.
+struct Conductance {
+  std::vector<double> pressures, by_pressure, gaps, by_gap;
+
+  // The same wherever surfaces touch.
+  static Conductance constant(double h) {
+    Conductance found;
+    found.pressures = {0}, found.by_pressure = {h};
+    return found;
+  }
+  // As long as this lives, and stays as it is.
+  fmc_conductance as_c() const {
+    if (pressures.size() != by_pressure.size() || gaps.size() != by_gap.size())
+      throw Error(FMC_ERROR_LENGTH, "a table of a conductance has columns of different lengths");
+    fmc_conductance to;
+    check(fmc_conductance_init(&to));
+    to.pressure_count = pressures.size(), to.pressures = pressures.data(), to.by_pressure = by_pressure.data();
+    to.gap_count = gaps.size(), to.gaps = gaps.data(), to.by_gap = by_gap.data();
+    return to;
+  }
+};
+
+// What flows out of nodes and obstacles, field after field, and the derivative by one field; rows and columns are nodes, then obstacles.
+struct ContactFlux {
+  std::vector<double> flux, of_obstacles;
+  Csr<int64_t> matrix;
+};
+
 // What `contact_force` returns: the force on every node, (nodes, dim), and the overlap volume (2D: area).
 struct ContactForces {
   std::vector<double> forces;

@@ -77,6 +77,8 @@ pub(crate) const SECTIONS: [Section; 20] = [
             "calls/results/gap_constraints",
             "structs/tie",
             "calls/results/ties",
+            "structs/conductance",
+            "calls/results/flux",
             "structs/boundary_facet",
             "calls/mesh/boundary_facets",
             "calls/mesh/point_weights",

@@ -80,6 +80,18 @@ void forces_and_getters() {
   } else {
     EXPECT(refused(FMC_ERROR_UNSUPPORTED, "gap", [&] { contact.tie_constraints(); }));
   }
+  // A tie conducts by its area, and what leaves one body enters the other.
+  std::vector<double> warm(contact.counts().nodes, 1.0);
+  const auto no_flux = contact.flux(coords, fmc::Conductance::constant(2), warm);
+  for (const auto q : no_flux.flux) EXPECT(q == 0);
+  EXPECT(no_flux.matrix.rows() == warm.size() && no_flux.of_obstacles.empty());
+  for (std::size_t node = 0; node < warm.size(); ++node) warm[node] = double(node % 3);
+  double through = 0, power = 0;
+  const auto conducted = contact.flux(coords, fmc::Conductance::constant(2), warm);
+  for (std::size_t node = 0; node < warm.size(); ++node) through += conducted.flux[node], power += conducted.flux[node] * warm[node];
+  EXPECT(power > 0 && std::abs(through) < 1e-12 * power);
+  auto negative = fmc::Conductance::constant(-1);
+  EXPECT(refused(FMC_ERROR_NOT_POSITIVE, "by_pressure", [&] { contact.flux(coords, negative, warm); }));
   contact.clear_pair_options(a, b);
   EXPECT(contact.tie(0, 1).area == 0 && contact.tie_nodes(coords).empty());
   EXPECT(contact.pair_options(a, b).excluded == 0 && contact.evaluate(coords).pair_count == 1);

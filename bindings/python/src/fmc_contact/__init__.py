@@ -6,7 +6,7 @@ one call or by a ``Contact`` that is kept. Forces push bodies apart. Units are t
 
     search  ->  contact_force, OnUnknowns, PartitionedContact  ->  Contact
             ->  its parts: mesh, obstacles, pairs, friction, multipliers, patches, pattern, ranks
-            ->  creation, _core, options; results: result, fields, gradients, forward, boundary, gaps, points, tangent
+            ->  creation, _core, options; results: result, fields, flux, gradients, forward, boundary, gaps, points, tangent
             ->  _handle, _arrays  ->  _library  ->  _signatures, _structs  ->  errors
 """
 
@@ -18,6 +18,7 @@ from .contact import Contact
 from .contact_step import ContactStep
 from .errors import FmcError
 from .fields import ContactPoints, NodalContact
+from .flux import Conductance, ContactFlux
 from .forward import Slopes
 from .gaps import GapConstraints
 from .gradients import Gradients, PairGradient
@@ -70,7 +71,9 @@ __all__ = [
     "Augmentation",
     "BoundaryFacets",
     "Condensation",
+    "Conductance",
     "Contact",
+    "ContactFlux",
     "ContactPoints",
     "ContactStep",
     "ContactWarning",

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from ctypes import byref, c_double, c_size_t
-from typing import Any, Callable, Optional
+from typing import Any, Callable, Optional, Union
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -18,6 +18,7 @@ from ._structs import fmc_log_callback, fmc_options, fmc_result, fmc_step_limit
 from ._unpack import Unpack
 from .contact_step import ContactStep, contact_step
 from .fields import ContactPoints, NodalContact, contact_points, nodal_contact
+from .flux import Conductance, ContactFlux, flux
 from .forward import Slopes, slopes
 from .friction import FrictionSteps
 from .gaps import GapConstraints, gap_constraints
@@ -511,6 +512,56 @@ class Contact:
         view = coords_view(coords, self._core.dim)
         with self._core.handle:
             return contact_points(self._core.handle, view, self._core.dim)
+
+    def flux(
+        self,
+        coords: ArrayLike,
+        fields: ArrayLike,
+        conductance: Union[float, Conductance],
+        obstacles: Optional[ArrayLike] = None,
+    ) -> ContactFlux:
+        """Flux of scalar fields through contact, of heat or of charge: int N h (T - T_other) dA out of every node.
+
+        T_other is the field at the point of the other side that faces the node's. The pressure, of which h depends, is that of the law.
+        Tied bodies conduct where they are tied.
+
+        Parameters
+        ----------
+        coords : array_like, (n, dim) or (dim, n)
+            Current coordinates of all nodes.
+        fields : array_like, (n,) or (fields, n)
+            Value at every node: temperature, potential.
+        conductance : float or Conductance
+            h, the same wherever surfaces touch, or its tables.
+        obstacles : array_like, (m,) or (fields, m), optional
+            The same for every obstacle. Default: nothing flows into obstacles.
+
+        Returns
+        -------
+        ContactFlux
+            The flux, and the derivative of it by the field.
+
+        Raises
+        ------
+        NotPositiveError
+            For a value that is not finite, a negative conductance, or a table that does not ascend.
+        UnsupportedError
+            For a mesh in parts.
+        FmcError
+            As ``evaluate`` raises.
+
+        Examples
+        --------
+        Squares at 0 and 1 touch with an area of 0.8.
+
+        >>> found = contact.flux(coords, [0, 0, 0, 0, 1, 1, 1, 1], 10.0)
+        >>> print(f"{found.flux[4:].sum():.1f} {abs(found.flux.sum()):.1f}")
+        8.0 0.0
+        """
+        view = coords_view(coords, self._core.dim)
+        counts = self._core.unknown_count, self.obstacles.count
+        with self._core.handle:
+            return flux(self._core.handle, view, fields, conductance, obstacles, counts, self._core.options.index_base)
 
     def tie_nodes(self, coords: ArrayLike) -> TieNodes:
         """Traction and jump of all ties, by pair and node of the side that holds, mostly that with the larger facets.

@@ -3,7 +3,7 @@
 use super::Resident;
 use crate::capi::boundary::failure::Failure;
 use crate::capi::boundary::pointer::slice;
-use crate::capi::structs::view::fmc_coords;
+use crate::capi::structs::view::{check_node_count, fmc_coords};
 use crate::contact::{Conductance, ContactFlux, FluxRequest};
 
 impl<const D: usize> Resident<D> {
@@ -16,6 +16,7 @@ impl<const D: usize> Resident<D> {
         index_base: i32,
     ) -> Result<ContactFlux, Failure> {
         let (nodes, obstacles) = (self.held.contact().surface().unknown_count(), self.held.contact().obstacle_count());
+        check_node_count(coords.node_count, nodes)?;
         // SAFETY: passed on to the caller.
         unsafe {
             let fields = slice("fields", fields, nodes, count)?;

@@ -1,0 +1,85 @@
+"""Scalar fields through contact."""
+
+import numpy as np
+import pytest
+from fmc_contact import Conductance, Contact
+from fmc_contact.errors import NotPositiveError
+
+
+def cells(n, first):
+    """Those of a square of n by n."""
+    corners = [(i + j * (n + 1), i + 1 + j * (n + 1)) for j in range(n) for i in range(n)]
+    return np.array([(a, b, b + n + 1, a + n + 1) for a, b in corners]) + first
+
+
+CELLS = np.vstack([cells(2, 0), cells(3, 9)])
+
+
+def squares(gap, **options):
+    """A square of four cells below, one of nine above."""
+    below, above = ([(a, b) for b in np.linspace(0, 1, n) for a in np.linspace(0, 1, n)] for n in (3, 4))
+    coords = np.vstack([below, np.array(above) + [0.0, 1.0 + gap]])
+    contact = Contact(coords, CELLS + options.get("index_base", 0), "quad", stiffness=100.0, **options)
+    return contact, coords, np.arange(len(coords)) >= len(below)
+
+
+@pytest.mark.parametrize(("gap", "h"), [(-0.01, 3.0), (-0.03, 5.0), (0.05, 0.75), (0.2, 0.0)])
+def test_tables_by_pressure_and_gap(gap, h):
+    contact, coords, is_above = squares(gap)
+    tables = Conductance(by_pressure=[(0.0, 1.0), (2.0, 5.0)], by_gap=np.array([(0.0, 1.0), (0.1, 0.5)]))
+    found = contact.flux(coords, np.where(is_above, 10.0, 4.0), tables)
+    assert found.flux[is_above].sum() == pytest.approx(6.0 * h, rel=1e-12)
+    assert abs(found.flux.sum()) < 1e-12
+    assert found.obstacles.shape == (0,)
+
+
+def test_matrix_is_the_derivative_for_every_field():
+    contact, coords, _ = squares(-0.01)
+    rng = np.random.default_rng(3)
+    fields = rng.normal(size=(3, len(coords)))
+    found = contact.flux(coords.T, fields, 2.0)
+    assert found.flux.shape == fields.shape
+    matrix = found.matrix.toarray()
+    np.testing.assert_allclose(found.flux, fields @ matrix, atol=1e-14)
+    np.testing.assert_array_equal(matrix, matrix.T)
+    assert np.linalg.eigvalsh(matrix).min() > -1e-14
+    np.testing.assert_array_equal(contact.flux(coords, np.full(len(coords), 293.15), 2.0).flux, 0.0)
+
+
+def test_obstacles_have_values_or_take_nothing():
+    contact, coords, _ = squares(0.5)
+    contact.obstacles.add_half_space((0, 0.02), (0, 1))
+    contact.obstacles.add_half_space((0, 9.0), (0, -1))
+    fields = np.ones((2, len(coords)))
+    found = contact.flux(coords, fields, 4.0, obstacles=[[0.0, 7.0], [3.0, 1.0]])
+    np.testing.assert_allclose(found.obstacles, [[-4.0, 0.0], [8.0, 0.0]], atol=1e-13)
+    np.testing.assert_allclose(found.flux.sum(axis=1), [4.0, -8.0], atol=1e-13)
+    assert len(found.indptr) == len(coords) + 3
+    assert found.matrix.shape == (len(coords), len(coords))
+    np.testing.assert_array_equal(contact.flux(coords, fields, 4.0).flux, 0.0)
+
+
+def test_index_base_changes_nothing():
+    (contact, coords, _), (based, *_) = squares(-0.01), squares(-0.01, index_base=1)
+    one, two = (one.flux(coords, coords[:, 0], 2.0) for one in (contact, based))
+    for name in ("flux", "data", "indices", "indptr"):
+        np.testing.assert_array_equal(getattr(one, name), getattr(two, name))
+
+
+def test_bad_input_is_named():
+    contact, coords, _ = squares(-0.01)
+    good = np.ones(len(coords))
+    bad = good.copy()
+    bad[4] = np.nan
+    with pytest.raises(NotPositiveError, match="entry 4 of 'fields'"):
+        contact.flux(coords, bad, 1.0)
+    with pytest.raises(NotPositiveError, match="entry 0 of 'by_pressure' is -1"):
+        contact.flux(coords, good, -1.0)
+    with pytest.raises(NotPositiveError, match="entry 1 of 'gaps'"):
+        contact.flux(coords, good, Conductance(by_gap=[(0.1, 1.0), (0.1, 1.0)]))
+    with pytest.raises(ValueError, match="fields has shape"):
+        contact.flux(coords, good[:-1], 1.0)
+    with pytest.raises(ValueError, match="by_gap has shape"):
+        contact.flux(coords, good, Conductance(by_gap=[1.0, 2.0]))
+    with pytest.raises(ValueError, match="obstacles has shape"):
+        contact.flux(coords, good, 1.0, obstacles=[1.0])
