@@ -544,6 +544,17 @@ module fmc_contact_c
     integer(c_int64_t) :: reserved(4)
   end type
 
+  type, bind(c) :: fmc_conductance
+    integer(c_size_t) :: struct_size
+    integer(c_size_t) :: pressure_count
+    type(c_ptr) :: pressures
+    type(c_ptr) :: by_pressure
+    integer(c_size_t) :: gap_count
+    type(c_ptr) :: gaps
+    type(c_ptr) :: by_gap
+    integer(c_int64_t) :: reserved(8)
+  end type
+
   type, bind(c) :: fmc_boundary_facet
     integer(c_size_t) :: struct_size
     integer(c_size_t) :: body
@@ -1305,6 +1316,37 @@ module fmc_contact_c
       integer(c_size_t), value :: capacity
       integer(c_size_t), intent(inout), optional :: count
       integer(c_int32_t) :: fmc_context_tie_constraints
+    end function
+    function fmc_conductance_init(conductance) bind(c)
+      import
+      type(fmc_conductance), intent(inout), optional :: conductance
+      integer(c_int32_t) :: fmc_conductance_init
+    end function
+    function fmc_context_flux(context, coords, conductance, field_count, fields, of_obstacles, &
+        flux, obstacle_flux) bind(c)
+      import
+      type(c_ptr), value :: context
+      type(fmc_coords), intent(in), optional :: coords
+      type(fmc_conductance), intent(in), optional :: conductance
+      integer(c_size_t), value :: field_count
+      real(c_double), intent(in), optional :: fields(*)
+      real(c_double), intent(in), optional :: of_obstacles(*)
+      real(c_double), intent(inout), optional :: flux(*)
+      real(c_double), intent(inout), optional :: obstacle_flux(*)
+      integer(c_int32_t) :: fmc_context_flux
+    end function
+    function fmc_context_flux_matrix(context, row_offsets, offset_capacity, offset_count, cols, &
+        values, capacity, count) bind(c)
+      import
+      type(c_ptr), value :: context
+      type(*), intent(inout), optional :: row_offsets(*)
+      integer(c_size_t), value :: offset_capacity
+      integer(c_size_t), intent(inout), optional :: offset_count
+      type(*), intent(inout), optional :: cols(*)
+      real(c_double), intent(inout), optional :: values(*)
+      integer(c_size_t), value :: capacity
+      integer(c_size_t), intent(inout), optional :: count
+      integer(c_int32_t) :: fmc_context_flux_matrix
     end function
     function fmc_context_boundary_facets(context, facets, capacity, count) bind(c)
       import

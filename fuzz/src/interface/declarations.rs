@@ -628,6 +628,19 @@ pub struct fmc_tie_node {
 
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct fmc_conductance {
+    pub struct_size: usize,
+    pub pressure_count: usize,
+    pub pressures: *const f64,
+    pub by_pressure: *const f64,
+    pub gap_count: usize,
+    pub gaps: *const f64,
+    pub by_gap: *const f64,
+    pub reserved: [u64; 8],
+}
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct fmc_boundary_facet {
     pub struct_size: usize,
     pub body: usize,
@@ -827,6 +840,9 @@ unsafe extern "C" {
     pub fn fmc_context_tie(context: *const fmc_context, a: usize, b: usize, tie: *mut fmc_tie) -> fmc_status;
     pub fn fmc_context_tie_nodes(context: *mut fmc_context, coords: *const fmc_coords, rows: *mut fmc_tie_node, capacity: usize, count: *mut usize) -> fmc_status;
     pub fn fmc_context_tie_constraints(context: *const fmc_context, row_offsets: *mut c_void, offset_capacity: usize, offset_count: *mut usize, cols: *mut c_void, values: *mut f64, capacity: usize, count: *mut usize) -> fmc_status;
+    pub fn fmc_conductance_init(conductance: *mut fmc_conductance) -> fmc_status;
+    pub fn fmc_context_flux(context: *mut fmc_context, coords: *const fmc_coords, conductance: *const fmc_conductance, field_count: usize, fields: *const f64, of_obstacles: *const f64, flux: *mut f64, obstacle_flux: *mut f64) -> fmc_status;
+    pub fn fmc_context_flux_matrix(context: *const fmc_context, row_offsets: *mut c_void, offset_capacity: usize, offset_count: *mut usize, cols: *mut c_void, values: *mut f64, capacity: usize, count: *mut usize) -> fmc_status;
     pub fn fmc_context_boundary_facets(context: *const fmc_context, facets: *mut fmc_boundary_facet, capacity: usize, count: *mut usize) -> fmc_status;
     pub fn fmc_context_point_weights(context: *const fmc_context, row_offsets: *mut c_void, offset_capacity: usize, offset_count: *mut usize, nodes: *mut c_void, weights: *mut f64, capacity: usize, count: *mut usize) -> fmc_status;
     pub fn fmc_gradients_init(gradients: *mut fmc_gradients) -> fmc_status;

@@ -17,6 +17,7 @@ from ._structs import (
     fmc_cell_block,
     fmc_communicator,
     fmc_condensation,
+    fmc_conductance,
     fmc_contact_point,
     fmc_contact_step_options,
     fmc_contact_step_result,
@@ -234,6 +235,24 @@ FUNCTIONS: dict[str, tuple[Any, list[Any]]] = {
         [fmc_context, POINTER(fmc_coords), POINTER(fmc_tie_node), c_size_t, POINTER(c_size_t)],
     ),
     "fmc_context_tie_constraints": (
+        c_int32,
+        [fmc_context, IndexArray, c_size_t, POINTER(c_size_t), IndexArray, Float64Array, c_size_t, POINTER(c_size_t)],
+    ),
+    "fmc_conductance_init": (c_int32, [POINTER(fmc_conductance)]),
+    "fmc_context_flux": (
+        c_int32,
+        [
+            fmc_context,
+            POINTER(fmc_coords),
+            POINTER(fmc_conductance),
+            c_size_t,
+            Float64Array,
+            Float64Array,
+            Float64Array,
+            Float64Array,
+        ],
+    ),
+    "fmc_context_flux_matrix": (
         c_int32,
         [fmc_context, IndexArray, c_size_t, POINTER(c_size_t), IndexArray, Float64Array, c_size_t, POINTER(c_size_t)],
     ),
