@@ -44,6 +44,23 @@ def test_problems_that_start_by_themselves():
     assert abs(float(pressure) / 515 - 1) < 0.03
 
 
+def test_heat():
+    page = PAGE.with_name("heat.md")
+    (program,) = re.findall(r"```python\n(.*?)```", page.read_text(), flags=re.S)
+    run = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, timeout=100)
+    assert run.returncode == 0, run.stderr
+    heat, jump = (float(number) for number in re.findall(r"\d+\.\d+", run.stdout))
+    # Blocks of length 1 between walls: pressure from the mean temperature, conductance from the pressure, heat from all in series.
+    flux = 50.0
+    for _ in range(50):
+        warm = flux / (2 * 2) + 100 - flux / 2
+        conductance = 1 + 2 * 1e3 * (1e-3 + 1e-4 * warm) / 2
+        flux = 100 / (1 / 2 + 1 / conductance + 1)
+    # The figures of the page, and the penetration that is left: 1e-3 of the pressure.
+    assert abs(heat / flux - 1) < 1e-4 and abs(jump * conductance / flux - 1) < 1e-3
+    assert abs(flux - 62.663) < 1e-3 and abs(flux / conductance - 6.006) < 1e-3
+
+
 def test_hertz():
     page = PAGE.with_name("tutorial-hertz.md")
     (program,) = re.findall(r"```python\n(.*?)```", page.read_text(), flags=re.S)
