@@ -33,7 +33,7 @@ pub use method::Options;
 pub(crate) use partners::Poses;
 pub use partners::{Interface, LayerStiffness, PairOptions};
 pub use results::{ContactForces, PairForces, Resultant};
-pub use results::{GapConstraints, NodalContact, NodeStatus, PointOfContact, SideOfPoint};
+pub use results::{FrictionHeat, GapConstraints, NodalContact, NodeStatus, PointOfContact, SideOfPoint};
 pub(crate) use tangents::compressed;
 pub use tangents::{CompressedRows, Pattern, RankOne, Tangent, TangentPart};
 pub use ties::{TieConstraints, TieNode, TieSummary};

@@ -10,7 +10,7 @@
 //! the step began) · `side_motion` (how one side moved since) · `touch` (the part of the step during which a facet bears) · `carried` (elastic slip from one step to the next) · `carriers` (the facets on which a point
 //! lies) · `energy` (what a facet has dissipated) · `bore` (limits before) · `facet_sums` (sums over the points of a facet) · `slip_facets` (the facets of a pair with their slip) ·
 //! `tractions` (forces, tangent and energies of a pair) · `frozen` (facets and pressure of an earlier iteration) ·
-//! `at_points` (what hosts see)
+//! `at_points` (what hosts see) · `heat` (where dissipated energy goes)
 
 mod at_points;
 mod bore;
@@ -19,6 +19,7 @@ mod carriers;
 mod energy;
 mod facet_sums;
 mod frozen;
+mod heat;
 mod options;
 mod past_points;
 mod return_mapping;
@@ -32,6 +33,7 @@ pub(super) use at_points::{NodalFriction, PointFriction};
 pub use carried::FacetSlip;
 pub(super) use carried::{CarriedSlip, list as list_slip, of_list as slip_of_list};
 pub(super) use frozen::FrozenFriction;
+pub(super) use heat::heat_of_released;
 pub use options::{Friction, StaticFriction};
 pub(super) use past_points::PastPoints;
 pub(super) use return_mapping::Stick;

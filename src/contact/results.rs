@@ -1,9 +1,10 @@
 //! What a contact returns.
 //!
-//! `forces` · `nodal_contact` (the contact at nodes) · `point_of_contact`, `points` (contact points with both their sides) ·
+//! `forces` · `friction_heat` · `nodal_contact` (the contact at nodes) · `point_of_contact`, `points` (contact points with both their sides) ·
 //! `gap_constraints` · `rotation` (of obstacles, in the tangent) · `onto_nodes` (results at points of cells of second order, as the nodes have them)
 
 mod forces;
+mod friction_heat;
 mod gap_constraints;
 mod nodal_contact;
 mod onto_nodes;
@@ -12,6 +13,7 @@ mod points;
 mod rotation;
 
 pub use forces::{ContactForces, PairForces, Resultant};
+pub use friction_heat::FrictionHeat;
 pub use gap_constraints::GapConstraints;
 pub use nodal_contact::{NodalContact, NodeStatus};
 pub(super) use onto_nodes::OntoNodes;

@@ -5,6 +5,7 @@ mod scene;
 
 mod accuracy;
 mod bars;
+mod friction_heat;
 mod obstacles;
 mod properties;
 mod refused;

@@ -1,6 +1,7 @@
 //! The evaluations, each compiled here for the plane and for space: see [`crate::dimension`].
 
 use super::flux::flux_in;
+use super::friction_heat::friction_heat_in;
 use super::gradients::gradients_in;
 use super::measured::measured_pairs;
 use super::parts::Contact;
@@ -14,7 +15,7 @@ use crate::contact::flux::FluxRequest;
 use crate::contact::friction::{SlipFacets, Tractions};
 use crate::contact::laws::{Asked, PairEnergy};
 use crate::contact::results::{
-    ContactForces, GapConstraints, NodalContact, OntoNodes, PairForces, PointOfContact, points_of_contact,
+    ContactForces, FrictionHeat, GapConstraints, NodalContact, OntoNodes, PairForces, PointOfContact, points_of_contact,
 };
 use crate::contact::tangents::{Tangent, TangentPart};
 use crate::dimension::{recast, rows};
@@ -100,6 +101,11 @@ macro_rules! traces { ($d:expr) => { Vec<FiberTrace<$d>> }; }
 macro_rules! nodal { ($d:expr) => { NodalContact<$d> }; }
 macro_rules! point_list { ($d:expr) => { Vec<PointOfContact<$d>> }; }
 macro_rules! constraint_rows { ($d:expr) => { GapConstraints<$d> }; }
+macro_rules! heat {
+    ($d:expr) => {
+        FrictionHeat
+    };
+}
 macro_rules! conduction {
     ($d:expr) => {
         Vec<Block<1>>
@@ -132,6 +138,8 @@ kernel! { /// Gaps of the nodes within reach.
 gap_constraints = gap_constraints_in(reach: f64) -> constraint_rows, True }
 kernel! { /// Conduction by points.
 flux = flux_in(request: &FluxRequest) -> conduction }
+kernel! { /// Heat of friction.
+friction_heat = friction_heat_in(effusivities: Option<&[f64]>) -> heat }
 kernel! { /// Facets on which friction acts.
 slip_facets = slip_facets_in() -> slip_list }
 kernel! { /// Patches of all pairs, for all facets.

@@ -2,7 +2,7 @@
 
 use super::forces::ContactForces;
 use super::gap_constraints::GapConstraints;
-use super::{NodalContact, PointOfContact};
+use super::{FrictionHeat, NodalContact, PointOfContact};
 use crate::contact::friction::SlipFacets;
 use crate::contact::tangents::{RankOne, Tangent};
 use crate::geometry::Vector;
@@ -26,6 +26,14 @@ impl<const D: usize> OntoNodes for Vec<FiberTrace<D>> {}
 impl<const D: usize> OntoNodes for ContactForces<D> {
     fn onto_nodes(mut self, division: &Division) -> Self {
         self.forces = division.map().onto_nodes(&self.forces);
+        self
+    }
+}
+
+impl OntoNodes for FrictionHeat {
+    fn onto_nodes(mut self, division: &Division) -> Self {
+        let at_points: Vec<[f64; 1]> = self.nodes.iter().map(|heat| [*heat]).collect();
+        self.nodes = division.map().onto_nodes(&at_points).into_iter().flatten().collect();
         self
     }
 }
