@@ -401,6 +401,16 @@ class Context : public AddsShapes<Context> {
     return found;
   }
 
+  // The energy that friction has dissipated since the step began, as heat at nodes and, if there is an effusivity for every body and then for
+  // every obstacle, by these, see `fmc_context_friction_heat`.
+  std::vector<double> friction_heat(Coords coords, const std::vector<double>& effusivities = {}) {
+    const auto x = coords.as_c(dim_);
+    std::vector<double> heat(x.node_count);
+    const auto* given = effusivities.empty() ? nullptr : effusivities.data();
+    call(fmc_context_friction_heat(get(), &x, given, heat.data(), nullptr));
+    return heat;
+  }
+
   // The tie of two bodies; its area is 0 where they are not tied.
   fmc_tie tie(std::size_t a, std::size_t b) const {
     fmc_tie result{};

@@ -44,7 +44,10 @@ fn check<const D: usize>(contact: &Contact<D>, coords: &[[f64; D]], scene: &Scen
         // What a pair had stored as it left the contact stays on the facets that held it.
         let is_apart = contact.evaluate(coords).expect("forces").contact_area == 0.0;
         assert!(is_apart || (sums[0] * b - sums[1] * a).abs() <= 1e-12 * dissipated, "{sums:?}");
-        assert!(found.of_obstacles.is_empty() && found.nodes.iter().all(|heat| *heat >= -1e-12 * dissipated));
+        assert!(found.of_obstacles.is_empty());
+        // Shape functions of second order are negative at places.
+        let is_straight = scene.blocks.iter().all(|(cell_type, _)| cell_type.straight() == *cell_type);
+        assert!(!is_straight || found.nodes.iter().all(|heat| *heat >= 0.0));
     }
 }
 

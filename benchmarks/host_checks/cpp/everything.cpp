@@ -434,7 +434,10 @@ void friction_and_patches() {
   for (const double by : {1e-4, 1e-3, 9e-4, -1e-3}) {
     const auto end = placed(by);
     Numbers forces(16);
-    contact.evaluate(end, forces);
+    const auto dissipated = contact.evaluate(end, forces).friction_dissipation;
+    double heat = 0;
+    for (const auto part : contact.friction_heat(end, {1, 2})) heat += part;
+    EXPECT(std::fabs(heat - dissipated) <= 1e-12 * dissipated);
     step.start = start;
     EXPECT(fmc::contact_force(2, end, {{FMC_QUAD4, quads}}, options, {}, &step).forces == forces);
     const auto rejected = step.next_slip;

@@ -66,6 +66,20 @@ def test_index_base_changes_nothing():
         np.testing.assert_array_equal(getattr(one, name), getattr(two, name))
 
 
+def test_heat_of_friction_is_the_dissipation():
+    contact, coords, is_above = squares(-0.01, friction_coefficient=0.3)
+    contact.friction.begin_step(coords)
+    moved = coords + np.where(is_above[:, None], [0.1, 0.0], 0.0)
+    found = contact.friction_heat(moved, [1.0, 3.0])
+    dissipated = contact.evaluate(moved).friction.dissipation
+    assert dissipated > 0.01
+    assert found.nodes[is_above].sum() == pytest.approx(0.75 * dissipated, rel=1e-12)
+    assert found.nodes.sum() == pytest.approx(dissipated, rel=1e-12)
+    assert contact.friction_heat(moved).nodes[is_above].sum() == pytest.approx(0.5 * dissipated, rel=1e-12)
+    with pytest.raises(NotPositiveError, match="entry 1 of 'effusivities'"):
+        contact.friction_heat(moved, [1.0, np.nan])
+
+
 def test_bad_input_is_named():
     contact, coords, _ = squares(-0.01)
     good = np.ones(len(coords))

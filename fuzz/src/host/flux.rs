@@ -33,6 +33,9 @@ impl Host {
             let status = fmc_context_flux_matrix(self.context, null, 0, rows_at, null, none, 0, entries_at);
             assert_eq!(checked(status), OK);
             assert!(!is_ok || rows > n);
+            let heat = Guarded::new(&vec![f64::from_bits(CANARY); n]);
+            let is_ok = checked(fmc_context_friction_heat(self.context, coords, none, heat.ptr(), none)) == OK;
+            assert!(heat.values().iter().all(|q| (q.to_bits() == CANARY) != is_ok));
         }
     }
 }

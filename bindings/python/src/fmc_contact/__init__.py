@@ -18,7 +18,7 @@ from .contact import Contact
 from .contact_step import ContactStep
 from .errors import FmcError
 from .fields import ContactPoints, NodalContact
-from .flux import Conductance, ContactFlux
+from .flux import Conductance, ContactFlux, FrictionHeat
 from .forward import Slopes
 from .gaps import GapConstraints
 from .gradients import Gradients, PairGradient
@@ -80,6 +80,7 @@ __all__ = [
     "Equilibrium",
     "FmcError",
     "Friction",
+    "FrictionHeat",
     "GapConstraints",
     "GatheredCounts",
     "Gradients",

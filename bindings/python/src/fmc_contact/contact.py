@@ -18,7 +18,7 @@ from ._structs import fmc_log_callback, fmc_options, fmc_result, fmc_step_limit
 from ._unpack import Unpack
 from .contact_step import ContactStep, contact_step
 from .fields import ContactPoints, NodalContact, contact_points, nodal_contact
-from .flux import Conductance, ContactFlux, flux
+from .flux import Conductance, ContactFlux, FrictionHeat, flux, friction_heat
 from .forward import Slopes, slopes
 from .friction import FrictionSteps
 from .gaps import GapConstraints, gap_constraints
@@ -562,6 +562,43 @@ class Contact:
         counts = self._core.unknown_count, self.obstacles.count
         with self._core.handle:
             return flux(self._core.handle, view, fields, conductance, obstacles, counts, self._core.options.index_base)
+
+    def friction_heat(self, coords: ArrayLike, effusivities: Optional[ArrayLike] = None) -> FrictionHeat:
+        """Energy that friction has dissipated since the step began, as heat at nodes and obstacles.
+
+        Parameters
+        ----------
+        coords : array_like, (n, dim) or (dim, n)
+            Current coordinates of all nodes.
+        effusivities : array_like, (bodies + obstacles,), optional
+            Square root of conductivity times density times heat capacity of every body, then of every obstacle: each side of a pair takes
+            a part of the heat by it. Default: halves.
+
+        Returns
+        -------
+        FrictionHeat
+            The heat, whose sum is the dissipated energy of the result.
+
+        Raises
+        ------
+        NotPositiveError
+            For an effusivity that is negative or not finite.
+        NoStepError, UnsupportedError
+            If no step has begun; for a mesh in parts.
+        FmcError
+            As ``evaluate`` raises.
+
+        Examples
+        --------
+        >>> contact.set_options(friction_coefficient=0.3)
+        >>> contact.friction.begin_step(coords)
+        >>> contact.friction_heat(coords).nodes.shape
+        (8,)
+        """
+        view = coords_view(coords, self._core.dim)
+        counts = self._core.unknown_count, self._core.body_count, self.obstacles.count
+        with self._core.handle:
+            return friction_heat(self._core.handle, view, effusivities, counts)
 
     def tie_nodes(self, coords: ArrayLike) -> TieNodes:
         """Traction and jump of all ties, by pair and node of the side that holds, mostly that with the larger facets.

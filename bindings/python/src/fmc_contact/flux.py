@@ -9,7 +9,7 @@ from typing import Any, Optional, Union
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ._arrays import View, floats, shape_error
+from ._arrays import View, floats, shape_error, vector
 from ._handle import Handle
 from ._library import check, library
 from ._rows import compressed_rows
@@ -93,6 +93,37 @@ class ContactFlux:
         except ImportError:
             return triplets
         return csr_matrix((triplets[2], triplets[:2]), shape=(count, count))
+
+
+@dataclass(frozen=True, eq=False)
+class FrictionHeat:
+    """Energy that friction has dissipated since the step began, as heat: its sum is that of all pairs.
+
+    Attributes
+    ----------
+    nodes : ndarray, (n,)
+        By node.
+    obstacles : ndarray, (m,)
+        By obstacle.
+
+    Examples
+    --------
+    >>> contact.friction.begin_step(coords)
+    >>> print(contact.friction_heat(coords).nodes.sum())
+    0.0
+    """
+
+    nodes: np.ndarray
+    obstacles: np.ndarray
+
+
+def friction_heat(handle: Handle, coords: View, effusivities: Optional[ArrayLike], counts: tuple[int, int, int]) -> FrictionHeat:
+    """Finds it at ``coords``, of so many nodes, bodies and obstacles."""
+    nodes, bodies, obstacles = counts
+    given = None if effusivities is None else vector(effusivities, bodies + obstacles, "effusivities")
+    found, through = np.empty(nodes), np.empty(obstacles)
+    handle.call(library.fmc_context_friction_heat, byref(coords.struct), given, found, through)
+    return FrictionHeat(found, through)
 
 
 def flux(

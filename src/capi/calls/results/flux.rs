@@ -1,6 +1,7 @@
-//! Scalar fields through contact.
+//! Scalar fields through contact, and the heat of friction.
 
 use crate::capi::boundary::entry::entry;
+use crate::capi::boundary::failure::Failure;
 use crate::capi::boundary::list::{MatrixRoom, Room};
 use crate::capi::boundary::pointer::{Output, check, copy_list, reference};
 use crate::capi::boundary::status::fmc_status;
@@ -55,13 +56,7 @@ pub unsafe extern "C" fn fmc_context_flux(
                 let tables = reference("conductance", conductance)?.tables()?;
                 let given = (field_count, fields, of_obstacles);
                 let found = in_either!(&mut state.session, one => one.flux(coords, &tables, given, state.index_base))?;
-                if !found.of_obstacles.is_empty() && !obstacle_flux.is_null() {
-                    check("obstacle_flux", obstacle_flux.cast_const())?;
-                }
-                copy_list("flux", &found.flux, flux)?;
-                if !obstacle_flux.is_null() {
-                    copy_list("obstacle_flux", &found.of_obstacles, obstacle_flux)?;
-                }
+                write_both(("flux", &found.flux, flux), ("obstacle_flux", &found.of_obstacles, obstacle_flux))?;
                 state.flux = found.matrix;
                 Ok(())
             })
@@ -108,4 +103,53 @@ pub unsafe extern "C" fn fmc_context_flux_matrix(
             )
         }
     })
+}
+
+/// The energy that friction has dissipated since the step began, as heat at nodes and obstacles: its sum is that of the pairs. Divided by the
+/// time of the step it is a power. With cells of second order some nodes may have a negative part.
+///
+/// `effusivities`: one for every body, then one for every obstacle, removed ones included, not negative. Each side of a pair takes a part of the
+/// heat by its effusivity, the square root of conductivity times density times heat capacity; with 0 it takes nothing. NULL: halves.
+/// `heat` has room for a number for every row of `coords`, `obstacle_heat` for every obstacle; it may be NULL.
+///
+/// Errors: as `fmc_context_evaluate`; `FMC_ERROR_NOT_POSITIVE` for an effusivity that is negative or not finite; `FMC_ERROR_UNSUPPORTED` for a
+/// mesh in parts. Nothing is written then. Threads: one call at a time on a context.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmc_context_friction_heat(
+    context: *mut fmc_context,
+    coords: *const fmc_coords,
+    effusivities: *const f64,
+    heat: *mut f64,
+    obstacle_heat: *mut f64,
+) -> fmc_status {
+    entry(|| {
+        // SAFETY: the host passes a context, a view, and arrays of the lengths that follow from it.
+        unsafe {
+            write(context, |state| {
+                let coords = reference("coords", coords)?;
+                let base = state.index_base;
+                let found = in_either!(&mut state.session, one => one.friction_heat(coords, effusivities, base))?;
+                write_both(("heat", &found.nodes, heat), ("obstacle_heat", &found.of_obstacles, obstacle_heat))
+            })
+        }
+    })
+}
+
+/// Writes a list, and another unless it goes nowhere.
+///
+/// # Safety
+/// The host guarantees room for both.
+unsafe fn write_both(
+    (name, list, to): (&str, &[f64], *mut f64),
+    (other_name, other, other_to): (&str, &[f64], *mut f64),
+) -> Result<(), Failure> {
+    let is_wanted = !other_to.is_null();
+    if is_wanted && !other.is_empty() {
+        check(other_name, other_to.cast_const())?;
+    }
+    // SAFETY: passed on to the caller.
+    unsafe {
+        copy_list(name, list, to)?;
+        if is_wanted { copy_list(other_name, other, other_to) } else { Ok(()) }
+    }
 }
