@@ -2414,6 +2414,21 @@ fmc_status fmc_context_flux_matrix(const fmc_context *context,
                                    size_t capacity,
                                    size_t *count);
 
+// The energy that friction has dissipated since the step began, as heat at nodes and obstacles: its sum is that of the pairs. Divided by the
+// time of the step it is a power. With cells of second order some nodes may have a negative part.
+//
+// `effusivities`: one for every body, then one for every obstacle, removed ones included, not negative. Each side of a pair takes a part of the
+// heat by its effusivity, the square root of conductivity times density times heat capacity; with 0 it takes nothing. NULL: halves.
+// `heat` has room for a number for every row of `coords`, `obstacle_heat` for every obstacle; it may be NULL.
+//
+// Errors: as `fmc_context_evaluate`; `FMC_ERROR_NOT_POSITIVE` for an effusivity that is negative or not finite; `FMC_ERROR_UNSUPPORTED` for a
+// mesh in parts. Nothing is written then. Threads: one call at a time on a context.
+fmc_status fmc_context_friction_heat(fmc_context *context,
+                                     const fmc_coords *coords,
+                                     const double *effusivities,
+                                     double *heat,
+                                     double *obstacle_heat);
+
 // The boundary facets in the order in which `fmc_context_slip` has them, body after body.
 //
 // `count` becomes their number; `facets` has room for `capacity`. NULL with capacity 0: the number alone is asked for.

@@ -1348,6 +1348,15 @@ module fmc_contact_c
       integer(c_size_t), intent(inout), optional :: count
       integer(c_int32_t) :: fmc_context_flux_matrix
     end function
+    function fmc_context_friction_heat(context, coords, effusivities, heat, obstacle_heat) bind(c)
+      import
+      type(c_ptr), value :: context
+      type(fmc_coords), intent(in), optional :: coords
+      real(c_double), intent(in), optional :: effusivities(*)
+      real(c_double), intent(inout), optional :: heat(*)
+      real(c_double), intent(inout), optional :: obstacle_heat(*)
+      integer(c_int32_t) :: fmc_context_friction_heat
+    end function
     function fmc_context_boundary_facets(context, facets, capacity, count) bind(c)
       import
       type(c_ptr), value :: context

@@ -256,6 +256,10 @@ FUNCTIONS: dict[str, tuple[Any, list[Any]]] = {
         c_int32,
         [fmc_context, IndexArray, c_size_t, POINTER(c_size_t), IndexArray, Float64Array, c_size_t, POINTER(c_size_t)],
     ),
+    "fmc_context_friction_heat": (
+        c_int32,
+        [fmc_context, POINTER(fmc_coords), Float64Array, Float64Array, Float64Array],
+    ),
     "fmc_context_boundary_facets": (c_int32, [fmc_context, POINTER(fmc_boundary_facet), c_size_t, POINTER(c_size_t)]),
     "fmc_context_point_weights": (
         c_int32,
