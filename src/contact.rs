@@ -1,6 +1,7 @@
 //! Energy laws and the forces of all pairs.
 
 mod changes;
+mod cohesive;
 mod derivatives;
 pub mod equilibrium;
 mod evaluation;
@@ -18,7 +19,9 @@ mod tangents;
 mod ties;
 mod work;
 
+pub use crate::interfaces::{Cohesive, PointDamage, Softening};
 pub use changes::Adjustment;
+pub use cohesive::{CohesivePoint, CohesiveSummary};
 pub use derivatives::{GradientRequest, Gradients, PairGradient};
 pub use equilibrium::{Augmentation, CondensedBodies, ContactStep, ContactStepOptions, ContactStepState, Place};
 pub use evaluation::Contact;

@@ -1,16 +1,27 @@
 //! Surfaces that belong together: where they face one another, and what holds them there.
 //!
-//! `common_pieces` (of facets that face one another) · `facing_points` (quadrature on these) · `place` (a place of a facet, by the points that move it) · `frame` (how the normal of a
-//! facet turns) · `hold` (by which side) · `tie` (the rows of a tie) · `tie_energy` (its energy, forces and tangent)
+//! `common_pieces` (of facets that face one another) · `facing_points` (quadrature on these) · `place` (a place of a facet, by the points that
+//! move it) · `opposite` (points of a piece, and what lies opposite) · `covered` (what of facets pieces cover) · `frame` (how the normal of a
+//! facet turns) · `hold` (by which side) · `tie` (the rows of a tie) · `tie_energy` (its energy, forces and tangent) · `cohesive_law` (how an
+//! interface breaks) · `cohesion` (its points) · `cohesive_energy` (as of a tie)
 
+mod cohesion;
+mod cohesive_energy;
+mod cohesive_law;
 mod common_pieces;
+mod covered;
 mod facing_points;
 mod frame;
 mod hold;
+mod opposite;
 mod place;
 mod tie;
 mod tie_energy;
 
+pub(crate) use cohesion::Cohesion;
+pub(crate) use cohesive_energy::{CohesionAt, Softened};
+pub(crate) use cohesive_law::CohesiveLaw;
+pub use cohesive_law::{Cohesive, PointDamage, Softening};
 pub(crate) use facing_points::{FacingSurfaces, normal_of, shape_at};
-pub(crate) use tie::{LeftOut, Tie};
+pub(crate) use tie::Tie;
 pub(crate) use tie_energy::{Curvature, TieAt};

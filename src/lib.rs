@@ -12,7 +12,7 @@
 //! capi  ->  partition  ->  contact  ->  interfaces  ->  overlap, sparse  ->  configuration, depth_field, sampling  ->  ranks  ->  geometry  ->  dimension, error
 //! ```
 //!
-//! `capi` (the C interface) · `partition` (meshes that ranks hold in parts) · [`contact`] (energy law, forces) · `interfaces` (surfaces that are tied) · [`overlap`]
+//! `capi` (the C interface) · `partition` (meshes that ranks hold in parts) · [`contact`] (energy law, forces) · `interfaces` (surfaces that are tied, or held until they break) · [`overlap`]
 //! (volume and contact points, sampled or exact) · [`sparse`] (matrices of hosts, factorised) · `configuration` (the bodies at
 //! given coordinates) · `depth_field` (how deep their cells lie below their surfaces) · [`sampling`] (where the fibers lie) · `ranks`
 //! (work that is shared) · [`geometry`] (surfaces, crossings, obstacles) · `dimension` (2D and 3D behind one interface) ·

@@ -43,6 +43,7 @@ const ROOMS: &[&str] = &[
     "contact/mesh",
     "contact/ties",
     "contact/flux",
+    "contact/cohesive",
     "contact/work",
     "contact/history",
     "contact/derivatives",

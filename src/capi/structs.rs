@@ -4,6 +4,7 @@
 
 pub(super) mod boundary_facet;
 pub(super) mod choice;
+pub(super) mod cohesive;
 pub(super) mod conductance;
 pub(super) mod contact_point;
 pub(super) mod csr;

@@ -1,6 +1,7 @@
-//! What hosts call: `contact` (the functions of [`Contact`](crate::Contact)) · `gradients` (its derivatives) · `flux` (of scalar fields) · `ties` (of bodies that are
-//! tied) · `stateless` (all in one call)
+//! What hosts call: `contact` (the functions of [`Contact`](crate::Contact)) · `gradients` (its derivatives) · `flux` (of scalar fields) ·
+//! `ties` (of bodies that are tied) · `cohesive` (of interfaces that break) · `stateless` (all in one call)
 
+mod cohesive;
 mod contact;
 mod flux;
 mod gradients;

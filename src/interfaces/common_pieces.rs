@@ -1,13 +1,18 @@
 //! Pieces of facets of one body that face a facet of another.
 
+use crate::Error;
 use crate::geometry::aabb::Aabb;
 use crate::geometry::convex_piece::{Corners, Piece, place};
 use crate::geometry::facet::{area_vector, determinant};
 use crate::geometry::tree::Tree;
 use crate::geometry::{Surface, Vector};
+use std::collections::BTreeSet;
 
 /// Cosine of the largest angle, 60°, between a normal and the reversed one of a facet that it faces.
 const FACING: f64 = 0.5;
+
+/// Reach by default, by the size of the larger facets.
+const REACH: f64 = 0.1;
 
 /// Part of a facet below which a piece is rounding.
 const ROUNDING: f64 = 1e-14;
@@ -22,7 +27,8 @@ pub(super) struct CommonPiece<const D: usize> {
     pub(super) across: [[f64; D]; D],
     /// How far the second facet lies above the first there, along its normal.
     pub(super) gaps: [f64; D],
-    /// The part of the first facet that faces the second farther apart than the reach.
+    /// The part of the first facet that faces the second within reach, and farther apart.
+    pub(super) within: f64,
     pub(super) beyond: f64,
     /// The distance between both facets, or how far they overlap: the least and the largest.
     pub(super) distances: [f64; 2],
@@ -44,14 +50,36 @@ const ROUNDED: f64 = 1e-9;
 const UNITS: f64 = 64.0 * f64::EPSILON;
 
 impl<'a, const D: usize> Facing<'a, D> {
+    /// Those of two bodies, within a reach; 0: a tenth of the larger facets.
+    pub(super) fn of_bodies(
+        surface: &'a Surface<D>,
+        vertices: &'a [Vector<D>],
+        bodies: [usize; 2],
+        reach: f64,
+    ) -> Self {
+        let facing = Self::new(surface, vertices, reach);
+        if reach > 0.0 {
+            return facing;
+        }
+        let sizes = bodies.map(|body| facing.facet_size(surface.ranges[body].clone()));
+        Self::new(surface, vertices, REACH * sizes[0].max(sizes[1]))
+    }
+
     /// What is as far apart as the reach but for rounding is within it.
     pub(super) fn new(surface: &'a Surface<D>, vertices: &'a [Vector<D>], reach: f64) -> Self {
         let farthest = vertices.iter().map(|x| x.amax()).fold(0.0, f64::max);
         Self { surface, vertices, reach: reach * (1.0 + ROUNDED) + UNITS * farthest, given: reach }
     }
 
+    /// The mean size of facets.
+    pub(super) fn facet_size(&self, facets: impl Iterator<Item = usize>) -> f64 {
+        let facets: BTreeSet<usize> = facets.collect();
+        let sizes = facets.iter().map(|facet| area_vector(&self.corners(*facet)).norm().powf(1.0 / (D as f64 - 1.0)));
+        sizes.sum::<f64>() / facets.len().max(1) as f64
+    }
+
     /// The least distance between facets that face one another; `None` where none do.
-    pub(super) fn nearest(&self, bodies: [usize; 2]) -> Option<f64> {
+    fn nearest(&self, bodies: [usize; 2]) -> Option<f64> {
         let farthest = self.vertices.iter().map(|x| x.amax()).fold(0.0, f64::max);
         let mut reach = self.reach;
         while reach < 4.0 * farthest {
@@ -64,6 +92,11 @@ impl<'a, const D: usize> Facing<'a, D> {
             }
         }
         None
+    }
+
+    /// Why there is nothing between two bodies.
+    pub(super) fn untied(&self, bodies: [usize; 2]) -> Error {
+        Error::Untied { bodies, distances: [self.given, self.nearest(bodies).unwrap_or(f64::INFINITY)] }
     }
 
     pub(super) fn corners(&self, facet: usize) -> [Vector<D>; D] {
@@ -132,7 +165,7 @@ impl<'a, const D: usize> Facing<'a, D> {
         let size: f64 = if is_within { piece.moments().iter().sum() } else { 0.0 };
         let corners = if size > ROUNDING { piece.corners().iter().copied().collect() } else { Corners::new() };
         let distances = [nearest, low.abs().max(high.abs())];
-        Some(CommonPiece { facets, corners, across, gaps, beyond: (whole - size).max(0.0), distances })
+        Some(CommonPiece { facets, corners, across, gaps, within: size, beyond: (whole - size).max(0.0), distances })
     }
 }
 

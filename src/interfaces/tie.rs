@@ -7,36 +7,17 @@
 //! first order on one of second order. Where few nodes of the larger facets would let a small patch turn as on a hinge, it is the other one.
 
 use super::common_pieces::{CommonPiece, Facing};
+use super::covered::{Covered, LeftOut};
 use super::hold::{TiedPoint, firmness};
-use super::place::{Weights, of_vertices, position, weights};
+use super::opposite::Opposite;
+use super::place::{Weights, of_vertices};
 use crate::Error;
-use crate::geometry::convex_piece::place;
-use crate::geometry::facet::area_vector;
-use crate::geometry::facet_slopes::slopes;
-use crate::geometry::quadrature::for_each_simplex;
-use crate::geometry::simplex_rule::degree_5;
-use crate::geometry::{Surface, Vector, Weighting};
-use std::collections::{BTreeMap, BTreeSet};
+use crate::geometry::{Surface, Weighting};
+use std::collections::BTreeMap;
 use std::sync::OnceLock;
-
-/// Reach by default, by the size of the larger facets.
-const REACH: f64 = 0.1;
-
-/// Rounds in which the place opposite to a point is found on a curve, and the part of a facet that is near enough.
-const ROUNDS: usize = 12;
-const NEAR: f64 = 1e-14;
-
-/// Part of a facet that pieces may cover twice by rounding.
-const TWICE: f64 = 1e-6;
 
 /// How firmly means hold the rotations of patches, at least, so that those of the larger facets are taken.
 const FIRM: f64 = 0.2;
-
-/// Part of what is tied above which facets that are tied in part are told.
-const TOLD: f64 = 0.01;
-
-/// A gap that is rounding, by the largest coordinate.
-const CLOSED: f64 = 64.0 * f64::EPSILON;
 
 /// Two bodies that are tied.
 pub(crate) struct Tie<const D: usize> {
@@ -59,14 +40,6 @@ pub(crate) struct Tie<const D: usize> {
     pub(crate) left_out: Option<LeftOut>,
     /// Σ c cᵀ/m over the rows, where no gap is kept.
     pub(super) products: OnceLock<Vec<(u32, u32, f64)>>,
-}
-
-/// What is not tied of facets that are tied in part.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct LeftOut {
-    pub(crate) area: f64,
-    pub(crate) farthest: f64,
-    pub(crate) reach: f64,
 }
 
 /// A mean of the jump that is held.
@@ -102,13 +75,9 @@ impl<const D: usize> Tie<D> {
         reach: f64,
     ) -> Result<Self, Error> {
         let vertices = surface.points(points);
-        let mut facing = Facing::new(surface, &vertices, reach);
-        if reach == 0.0 {
-            let size = bodies.map(|body| facet_size(&facing, surface.ranges[body].clone()));
-            facing = Facing::new(surface, &vertices, REACH * size[0].max(size[1]));
-        }
+        let facing = Facing::of_bodies(surface, &vertices, bodies, reach);
         let candidates = facing.candidates(bodies);
-        let sizes = [0, 1].map(|side| facet_size(&facing, candidates.iter().map(|pair| pair[side])));
+        let sizes = [0, 1].map(|side| facing.facet_size(candidates.iter().map(|pair| pair[side])));
         // The first where both are equal.
         let coarser = usize::from(sizes[1] > sizes[0]);
         let build = Build::of(&facing, points, weighting, &candidates, coarser);
@@ -119,13 +88,6 @@ impl<const D: usize> Tie<D> {
     }
 }
 
-/// The mean size of facets.
-fn facet_size<const D: usize>(facing: &Facing<D>, facets: impl Iterator<Item = usize>) -> f64 {
-    let facets: BTreeSet<usize> = facets.collect();
-    let sizes = facets.iter().map(|facet| area_vector(&facing.corners(*facet)).norm().powf(1.0 / (D as f64 - 1.0)));
-    sizes.sum::<f64>() / facets.len().max(1) as f64
-}
-
 struct Build<'a, const D: usize> {
     facing: &'a Facing<'a, D>,
     points: &'a [[f64; D]],
@@ -133,10 +95,7 @@ struct Build<'a, const D: usize> {
     sums: BTreeMap<u32, Sums>,
     area: f64,
     largest_gap: f64,
-    /// Which part of every facet is tied.
-    covered: BTreeMap<usize, f64>,
-    /// Which part of it faces the other body beyond the reach, and how far apart it is.
-    beyond: BTreeMap<usize, (f64, f64)>,
+    covered: Covered,
     tied: Vec<TiedPoint<D>>,
 }
 
@@ -149,17 +108,8 @@ impl<'a, const D: usize> Build<'a, D> {
         candidates: &[[usize; 2]],
         side: usize,
     ) -> Self {
-        let mut build = Self {
-            facing,
-            points,
-            weighting,
-            sums: BTreeMap::new(),
-            area: 0.0,
-            largest_gap: 0.0,
-            covered: BTreeMap::new(),
-            beyond: BTreeMap::new(),
-            tied: Vec::new(),
-        };
+        let (sums, covered, tied) = (BTreeMap::new(), Covered::default(), Vec::new());
+        let mut build = Self { facing, points, weighting, sums, area: 0.0, largest_gap: 0.0, covered, tied };
         let mut candidates: Vec<_> = candidates.iter().map(|pair| [pair[side], pair[1 - side]]).collect();
         candidates.sort_unstable();
         candidates.into_iter().filter_map(|pair| facing.common(pair)).for_each(|piece| build.add(&piece));
@@ -167,99 +117,35 @@ impl<'a, const D: usize> Build<'a, D> {
     }
 
     fn add(&mut self, piece: &CommonPiece<D>) {
-        let (surface, [here, there]) = (self.facing.surface, piece.facets);
-        let corners = self.facing.corners(here);
-        let size = area_vector(&corners).norm();
-        if piece.beyond > 0.0 {
-            let (part, farthest) = self.beyond.entry(here).or_default();
-            (*part, *farthest) = (*part + piece.beyond, farthest.max(piece.distances[1]));
-        }
-        if piece.corners.is_empty() {
-            return;
-        }
-        let rule = degree_5(D - 1);
-        for_each_simplex(&piece.corners, |simplex, share| {
-            *self.covered.entry(here).or_default() += share;
-            for (at, weight) in &rule {
-                let at: [f64; D] = std::array::from_fn(|c| (0..D).map(|k| at[k] * simplex[k][c]).sum());
-                let straight = place(&corners, &at);
-                let measure = weight * share * size * self.weighting.at(&straight);
-                let own = weights(surface, here, &at);
-                let start = std::array::from_fn(|k| (0..D).map(|c| at[c] * piece.across[c][k]).sum());
-                let (other, gap) = self.opposite(there, position(&own, self.points), start);
-                self.area += measure;
-                self.largest_gap = self.largest_gap.max(gap.abs());
-                let hats = of_vertices(surface, here, &at);
-                let nodes = surface.facets[there].iter().flat_map(|&vertex| surface.nodes_of_vertex(vertex));
-                let nodes = nodes.map(|(node, _)| node).collect();
-                self.tied.push(TiedPoint { x: straight, measure, hats: hats.clone(), other: nodes });
-                for (point, hat) in hats {
-                    let sums = self.sums.entry(point).or_default();
-                    sums.measure += hat * measure;
-                    own.iter().for_each(|(node, w)| *sums.jump.entry((false, *node)).or_default() += hat * measure * w);
-                    other
-                        .iter()
-                        .for_each(|(node, w)| *sums.jump.entry((true, *node)).or_default() -= hat * measure * w);
-                    if gap != 0.0 {
-                        *sums.gaps.entry(there).or_default() += hat * measure * gap;
-                    }
+        let Self { facing, points, weighting, sums, area, largest_gap, covered, tied } = self;
+        let (surface, [here, there]) = (facing.surface, piece.facets);
+        covered.add(piece);
+        facing.for_each_opposite(points, *weighting, piece, |point| {
+            let Opposite { straight, measure, own, other, gap, at } = point;
+            *area += measure;
+            *largest_gap = largest_gap.max(gap.abs());
+            let hats = of_vertices(surface, here, &at);
+            let nodes = surface.facets[there].iter().flat_map(|&vertex| surface.nodes_of_vertex(vertex));
+            let nodes = nodes.map(|(node, _)| node).collect();
+            tied.push(TiedPoint { x: straight, measure, hats: hats.clone(), other: nodes });
+            for (point, hat) in hats {
+                let sums = sums.entry(point).or_default();
+                sums.measure += hat * measure;
+                own.iter().for_each(|(node, w)| *sums.jump.entry((false, *node)).or_default() += hat * measure * w);
+                other.iter().for_each(|(node, w)| *sums.jump.entry((true, *node)).or_default() -= hat * measure * w);
+                if gap != 0.0 {
+                    *sums.gaps.entry(there).or_default() += hat * measure * gap;
                 }
             }
         });
     }
 
-    /// The place of a facet that a point is above, and how far above it the point is, along the normal of the straight facet.
-    fn opposite(&self, facet: usize, x: Vector<D>, start: [f64; D]) -> (Weights, f64) {
-        let corners = self.facing.corners(facet);
-        let area = area_vector(&corners);
-        let n = area.normalize();
-        let size = area.norm().powf(1.0 / (D as f64 - 1.0));
-        let Some((_, gradients)) = slopes(&corners, &n) else { return (Weights::new(), 0.0) };
-        let mut at = start;
-        let mut found = weights(self.facing.surface, facet, &at);
-        for _ in 0..ROUNDS {
-            let off = x - position(&found, self.points);
-            let aside = off - n * off.dot(&n);
-            if aside.norm() <= NEAR * size {
-                break;
-            }
-            at.iter_mut().zip(&gradients).for_each(|(at, gradient)| *at += gradient.dot(&aside));
-            found = weights(self.facing.surface, facet, &at);
-        }
-        // What is left aside of the normal goes with the facet, too.
-        let off = x - position(&found, self.points);
-        let aside = off - n * off.dot(&n);
-        let rest = gradients.map(|gradient| gradient.dot(&aside));
-        found.extend(of_vertices(self.facing.surface, facet, &rest));
-        let rounding = CLOSED * x.amax().max(size);
-        let gap = off.dot(&n);
-        (found, if gap.abs() > rounding { gap } else { 0.0 })
-    }
-
-    /// What is tied by another pair of facets is not left out.
-    fn left_out(&self) -> Option<LeftOut> {
-        let (mut area, mut farthest) = (0.0, 0.0_f64);
-        for (facet, (part, distance)) in &self.beyond {
-            let Some(covered) = self.covered.get(facet) else { continue };
-            let corners = self.facing.corners(*facet);
-            let centre = corners.iter().sum::<Vector<D>>() / D as f64;
-            area += part.min(1.0 - covered).max(0.0) * area_vector(&corners).norm() * self.weighting.at(&centre);
-            farthest = farthest.max(*distance);
-        }
-        (area > TOLD * self.area).then_some(LeftOut { area, farthest, reach: self.facing.given })
-    }
-
     fn finish(self, bodies: [usize; 2], is_second: bool) -> Result<Tie<D>, Error> {
-        if self.covered.values().any(|part| *part > 1.0 + TWICE) {
-            return Err(Error::Unsupported {
-                what: "a tie where faces of one body lie above one another within reach",
-            });
-        }
+        self.covered.check()?;
         if self.area <= 0.0 {
-            let nearest = self.facing.nearest(bodies).unwrap_or(f64::INFINITY);
-            return Err(Error::Untied { bodies, distances: [self.facing.given, nearest] });
+            return Err(self.facing.untied(bodies));
         }
-        let left_out = self.left_out();
+        let left_out = self.covered.left_out(self.facing, self.weighting, self.area);
         let surface = self.facing.surface;
         let mut numbers: BTreeMap<(bool, u32), u32> = BTreeMap::new();
         let mut frames: BTreeMap<usize, u32> = BTreeMap::new();

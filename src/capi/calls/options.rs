@@ -3,5 +3,6 @@
 pub(super) mod context_options;
 pub(super) mod interrupt;
 pub(super) mod option_keys;
+pub(super) mod pair_interface;
 pub(super) mod pair_options;
 pub(super) mod stiffness;

@@ -1,5 +1,6 @@
 //! What was found beside nodal forces.
 
+pub(super) mod cohesive;
 pub(super) mod contact_points;
 pub(super) mod flux;
 pub(super) mod gap_constraints;

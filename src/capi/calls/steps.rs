@@ -2,6 +2,7 @@
 
 pub(super) mod adjustment;
 pub(super) mod augmentation;
+pub(super) mod damage;
 pub(super) mod friction;
 pub(super) mod multipliers;
 pub(super) mod patches;

@@ -6,6 +6,7 @@
 //! Of all that is unsafe here the caller guarantees the views, shapes and functions that it passes on, as the host has guaranteed them: they
 //! are what they say they are as long as the call lasts, and nothing else writes what is read.
 
+mod cohesive;
 mod flux;
 mod gradients;
 mod mesh;

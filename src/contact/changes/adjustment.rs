@@ -106,7 +106,7 @@ pub(crate) fn set<const D: usize>(contact: &mut Contact<D>, offsets: &[[f64; D]]
 /// Has the surface lie elsewhere. No body slides by that: the step that has begun, and frozen friction, begin where it lies now.
 fn replace<const D: usize>(contact: &mut Contact<D>, offsets: Offsets<D>) {
     contact.mesh.replace_offsets(offsets);
-    contact.ties.find_again(&contact.mesh, contact.method.weighting());
+    super::options::find_interfaces_again(contact);
     let Contact { mesh, history, state, .. } = contact;
     if let Some(step) = &mut history.step {
         step.place(&mesh.surface, |points| mesh.placed(points.into()));

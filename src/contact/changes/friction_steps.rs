@@ -1,4 +1,4 @@
-//! Steps of a contact with friction: what is carried from one to the next.
+//! Steps of a contact with friction, or with an interface that breaks: what is carried from one to the next.
 
 use crate::Error;
 use crate::contact::evaluation::{Contact, kernels};
@@ -30,10 +30,12 @@ pub(crate) fn commit<const D: usize>(contact: &mut Contact<D>, coords: &[[f64; D
     contact.history.step()?;
     contact.mesh.check_brought(coords)?;
     let pairs = kernels::slip_facets(contact, coords)?;
+    let damage = contact.cohesions.damaged(&contact.mesh.points(coords)?, &contact.history.damage)?;
     let slip = pairs.iter().flat_map(SlipFacets::carried).collect();
     let next = step_at(contact, coords, slip)?;
     let bearings = bearings(contact, || Ok(pairs))?;
     contact.history.begin(next, bearings);
+    contact.history.damage = damage;
     Ok(())
 }
 

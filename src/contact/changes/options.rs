@@ -9,7 +9,7 @@ use crate::overlap::Partner;
 
 /// Replaces the options of all pairs that have none of their own. On an error the old ones stay.
 pub(crate) fn set<const D: usize>(contact: &mut Contact<D>, options: Options) -> Result<(), Error> {
-    let Contact { mesh, partners, method, work, history, ties, state } = contact;
+    let Contact { mesh, partners, method, work, history, state, .. } = contact;
     Method::check(&options, &mesh.surface)?;
     partners.table.check(&options)?;
     history.multipliers.check(&options.law, options.self_contact)?;
@@ -26,13 +26,15 @@ pub(crate) fn set<const D: usize>(contact: &mut Contact<D>, options: Options) ->
     }
     if options.axisymmetric != old.axisymmetric {
         mesh.forget_depth();
-        ties.find_again(mesh, method.weighting());
     }
     if options.friction != old.friction || options.axisymmetric != old.axisymmetric {
         history.release_friction();
     }
     history.leave_out(|pair| !partners.has(pair, &options));
     state.forget_found();
+    if options.axisymmetric != old.axisymmetric {
+        find_interfaces_again(contact);
+    }
     Ok(())
 }
 
@@ -51,7 +53,7 @@ pub(crate) fn set_pair<const D: usize>(
     }
     let own_before = contact.partners.table.options(&pair);
     contact.partners.set_pair_options(pair, options, &of_contact)?;
-    if let Err(error) = set_tie(contact, pair, options) {
+    if let Err(error) = set_interface(contact, pair, options) {
         contact.partners.set_pair_options(pair, own_before, &of_contact)?;
         return Err(error);
     }
@@ -67,28 +69,57 @@ pub(crate) fn set_pair<const D: usize>(
     Ok(())
 }
 
-/// Ties a pair, or releases it.
-fn set_tie<const D: usize>(
+/// Ties a pair, or holds it together by an interface that breaks, or releases it.
+fn set_interface<const D: usize>(
     contact: &mut Contact<D>,
     pair: [Partner; 2],
     options: Option<PairOptions>,
 ) -> Result<(), Error> {
     let [Partner::Body(a), Partner::Body(b)] = pair else { return Ok(()) };
-    let Contact { mesh, method, ties, .. } = contact;
+    let Contact { mesh, method, ties, cohesions, history, .. } = contact;
     let reach = options.and_then(|options| options.tied_within());
+    let cohesive = options.and_then(|options| options.cohesive());
     if reach.is_some() {
         mesh.surface.refuse_submesh("bodies that are tied, of a mesh in parts")?;
         if mesh.surface.cells.is_none() {
             return Err(Error::Unsupported { what: "bodies that are tied, without cells" });
         }
     }
-    ties.set([a, b], reach, mesh, method.weighting())
+    if cohesive.is_some() {
+        mesh.surface.refuse_submesh("a cohesive interface of a mesh in parts")?;
+        if mesh.surface.cells.is_none() {
+            return Err(Error::Unsupported { what: "a cohesive interface of bodies without cells" });
+        }
+    }
+    // What can fail comes first; the other of the two is none.
+    let is_new = match cohesive {
+        Some(_) => cohesions.set([a, b], cohesive, mesh, method.weighting())?,
+        None => {
+            ties.set([a, b], reach, mesh, method.weighting())?;
+            cohesions.set([a, b], None, mesh, method.weighting())?
+        }
+    };
+    if cohesive.is_some() {
+        ties.set([a, b], None, mesh, method.weighting())?;
+    }
+    if is_new {
+        history.damage.remove(&[a, b]);
+    }
+    Ok(())
+}
+
+/// Finds ties and cohesive interfaces on another mesh without deformation; these are whole again.
+pub(crate) fn find_interfaces_again<const D: usize>(contact: &mut Contact<D>) {
+    let Contact { mesh, method, ties, cohesions, history, .. } = contact;
+    ties.find_again(mesh, method.weighting());
+    cohesions.find_again(mesh, method.weighting());
+    history.damage.clear();
 }
 
 /// Sets the coordinates without deformation, on which ties are found.
 pub(crate) fn set_reference<const D: usize>(contact: &mut Contact<D>, coords: &[[f64; D]]) -> Result<(), Error> {
     contact.mesh.set_reference(coords)?;
-    contact.ties.find_again(&contact.mesh, contact.method.weighting());
+    find_interfaces_again(contact);
     Ok(())
 }
 

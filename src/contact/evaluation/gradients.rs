@@ -24,6 +24,9 @@ pub(super) fn gradients_in<const D: usize>(
         let what = "a derivative with bodies that are tied, but by coordinates and poses";
         return Err(Error::Unsupported { what });
     }
+    if !contact.cohesions.is_empty() {
+        return Err(Error::Unsupported { what: "derivatives with a cohesive interface" });
+    }
     let Contact { mesh, partners, method, history, .. } = contact;
     let rows: Vec<[f64; D]> = adjoint.chunks_exact(D).map(|row| std::array::from_fn(|i| row[i])).collect();
     let expected = mesh.surface.unknown_count();

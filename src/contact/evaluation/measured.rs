@@ -42,6 +42,10 @@ pub(super) fn measured_pairs<const D: usize>(
         let stiffness = |pair| contact.stiffness_of_pair(pair);
         answers.extend(contact.ties.measured(coords.unshifted, stiffness, (asked.energy, asked.tangent))?);
     }
+    if !contact.cohesions.is_empty() {
+        let damage = &contact.history.damage;
+        answers.extend(contact.cohesions.measured(coords.unshifted, damage, (asked.energy, asked.tangent))?);
+    }
     let mut tractions: Vec<_> = tractions.into_iter().flatten().collect();
     let frozen = contact.history.frozen_at(coords, &contact.partners.obstacles.poses());
     tractions.extend(frozen.iter().map(tractions_of));

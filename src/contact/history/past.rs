@@ -4,6 +4,7 @@ use super::bearings::Bearings;
 use super::kept_patches::KeptPatches;
 use super::multipliers::Multipliers;
 use crate::Error;
+use crate::contact::cohesive::Damage;
 use crate::contact::friction::{CarriedSlip, FrozenFriction, SlipFacets, Step};
 use crate::contact::partners::Poses;
 use crate::geometry::Surface;
@@ -20,6 +21,8 @@ pub(crate) struct History<const D: usize> {
     pub(crate) patches: KeptPatches<D>,
     /// How far surfaces are moved out so that they press without penetration.
     pub(crate) multipliers: Multipliers<D>,
+    /// What cohesive interfaces have been through in the steps that were accepted.
+    pub(crate) damage: Damage,
     /// Factor by which the contact was made stiffer since it was made.
     pub(crate) stiffened: f64,
 }
@@ -29,6 +32,7 @@ pub(crate) struct History<const D: usize> {
 pub(crate) struct Begun<const D: usize> {
     step: Option<Step<D>>,
     bearings: Option<Bearings>,
+    damage: Damage,
     stiffened: f64,
 }
 
@@ -40,6 +44,7 @@ impl<const D: usize> History<D> {
             frozen: None,
             patches: KeptPatches::none(),
             multipliers: Multipliers::default(),
+            damage: Damage::new(),
             stiffened: 1.0,
         }
     }
@@ -51,12 +56,14 @@ impl<const D: usize> History<D> {
 
     /// What has begun, so that it can be laid aside.
     pub(crate) fn begun(&self) -> Begun<D> {
-        Begun { step: self.step.clone(), bearings: self.bearings.clone(), stiffened: self.stiffened }
+        let (step, bearings, damage) = (self.step.clone(), self.bearings.clone(), self.damage.clone());
+        Begun { step, bearings, damage, stiffened: self.stiffened }
     }
 
     /// Goes on with a step that was laid aside; frozen friction is released. As [`Self::stiffen`].
     pub(crate) fn take_up(&mut self, begun: Begun<D>, is_slip_of_law: bool) {
         (self.step, self.bearings, self.frozen) = (begun.step, begun.bearings, None);
+        self.damage = begun.damage;
         if is_slip_of_law {
             self.divide_slip(self.stiffened / begun.stiffened);
         }

@@ -47,19 +47,20 @@ impl<const D: usize> Contact<D> {
         Ok(found)
     }
 
-    /// Products of the ties' part of the tangent with motions of all rows of `coords`; none without ties.
-    pub(crate) fn held_by_ties(
+    /// Products of the part of the tangent that ties and cohesive interfaces have with motions of all rows of `coords`; none without these.
+    pub(crate) fn held_by_interfaces(
         &self,
         coords: &[[f64; D]],
         motions: &[Vec<[f64; D]>],
     ) -> Result<Vec<Vec<[f64; D]>>, Error> {
-        if self.ties.is_empty() {
+        if self.ties.is_empty() && self.cohesions.is_empty() {
             return Ok(Vec::new());
         }
         let points = self.mesh.points(coords)?;
         let stiffness = |pair| self.stiffness_of_pair(pair);
         let part = Some(TangentPart::Semidefinite);
-        let parts = self.ties.measured(&points, stiffness, (false, part))?;
+        let mut parts = self.ties.measured(&points, stiffness, (false, part))?;
+        parts.extend(self.cohesions.measured(&points, &self.history.damage, (false, part))?);
         let tangent = Tangent::sum(parts.into_iter().filter_map(|part| part.tangent).collect());
         let tangent = match self.mesh.surface.division() {
             Some(division) => tangent.onto_nodes(division),

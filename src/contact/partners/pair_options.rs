@@ -2,6 +2,7 @@
 
 use crate::contact::friction::{Friction, StaticFriction};
 use crate::contact::laws::EnergyLaw;
+use crate::interfaces::Cohesive;
 
 /// What holds for one pair of partners in place of the [`Options`](crate::Options). The default changes nothing, but for a body
 /// with itself: its self-contact is then evaluated.
@@ -49,6 +50,13 @@ pub enum Interface {
         /// In length; 0: a tenth of the larger facets.
         reach: f64,
     },
+    /// They are held together where their faces face one another without deformation, as those that are tied, but by an interface that opens,
+    /// slides and breaks: see [`Cohesive`]. They are in no contact: the interface carries compression with the stiffness that it has
+    /// without damage, at the material points that faced one another at first, also where it is broken.
+    ///
+    /// Its damage grows in evaluations, and is kept by [`Contact::commit_step`](crate::Contact::commit_step); set anew with other options, or
+    /// with another mesh without deformation, it is whole again.
+    Cohesive(Cohesive),
 }
 
 impl PairOptions {
@@ -72,6 +80,19 @@ impl PairOptions {
         Self { interface: Interface::Tied { reach }, ..Self::default() }
     }
 
+    /// Two bodies that are held together by an interface that breaks.
+    pub fn with_cohesive(cohesive: Cohesive) -> Self {
+        Self { interface: Interface::Cohesive(cohesive), ..Self::default() }
+    }
+
+    /// The interface that breaks, if the pair has one.
+    pub(crate) fn cohesive(&self) -> Option<Cohesive> {
+        match self.interface {
+            Interface::Cohesive(cohesive) if !self.excluded => Some(cohesive),
+            _ => None,
+        }
+    }
+
     /// The reach of a tie, if the pair is one.
     pub(crate) fn tied_within(&self) -> Option<f64> {
         match self.interface {
@@ -80,9 +101,9 @@ impl PairOptions {
         }
     }
 
-    /// Whether the two press and rub: they are neither left out nor tied.
+    /// Whether the two press and rub: they are neither left out nor tied, nor held together by an interface that breaks.
     pub(crate) fn is_in_contact(&self) -> bool {
-        !self.excluded && self.tied_within().is_none()
+        !self.excluded && self.interface == Interface::Contact
     }
 
     /// A pair with a law of its own.

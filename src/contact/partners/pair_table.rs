@@ -136,6 +136,7 @@ fn check(pair: &[Partner; 2], options: &PairOptions, defaults: &Options) -> Resu
     own.and_then(|()| Options { law, friction, ..*defaults }.check())
         .and_then(|()| check_offset(pair, options, law.needs_depth()))
         .and_then(|()| check_tie(pair, options, &law))
+        .and_then(|()| check_cohesive(pair, options))
         .map_err(of_pair)
 }
 
@@ -165,6 +166,20 @@ fn check_tie(pair: &[Partner; 2], options: &PairOptions, law: &EnergyLaw) -> Res
         _ if options.gap_offset != 0.0 => "a gap offset of bodies that are tied: their gap is kept as it is",
         _ if !(reach.is_finite() && reach >= 0.0) => return Err(Error::NotPositive { name: "reach", value: reach }),
         _ => return Ok(()),
+    };
+    Err(Error::Unsupported { what })
+}
+
+fn check_cohesive(pair: &[Partner; 2], options: &PairOptions) -> Result<(), Error> {
+    let Some(cohesive) = options.cohesive() else { return Ok(()) };
+    let what = match pair {
+        [_, Partner::Obstacle(_)] => "a cohesive interface of a body and an obstacle",
+        [a, b] if a == b => "a cohesive interface of a body with itself",
+        _ if options.gap_offset != 0.0 => {
+            "a gap offset of bodies with a cohesive interface: their gap is kept as it is"
+        }
+        _ if options.law.is_some() => "a law of bodies with a cohesive interface, which has its own",
+        _ => return cohesive.check(),
     };
     Err(Error::Unsupported { what })
 }

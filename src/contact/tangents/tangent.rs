@@ -9,10 +9,11 @@ pub enum TangentPart {
     /// All of it: the derivative of the force. Newton converges quadratically near the solution.
     #[default]
     Full,
-    /// Without what makes it unsymmetric: that a frictional force grows with the pressure. The same as `Full` without
-    /// friction.
+    /// Without what makes it unsymmetric: that a frictional force grows with the pressure, and the unsymmetric part of a cohesive
+    /// interface whose mode changes as it breaks. The same as `Full` without friction and such interfaces.
     Symmetric,
-    /// Symmetric and without the part from the turning of facets, which can be negative: safe far from the solution.
+    /// Symmetric and without the part from the turning of facets, which can be negative, and with cohesive interfaces at the damage there
+    /// is: safe far from the solution.
     Semidefinite,
 }
 

@@ -5,8 +5,8 @@ use crate::contact::laws::{Answer, PairEnergy};
 use crate::contact::mesh::Mesh;
 use crate::contact::tangents::{Tangent, TangentPart};
 use crate::geometry::{Vector, Weighting};
-use crate::interfaces::{Curvature, LeftOut, Tie, TieAt};
-use crate::overlap::{Overlap, Partner, Warning};
+use crate::interfaces::{Curvature, Tie, TieAt};
+use crate::overlap::{Overlap, Partner};
 use std::collections::BTreeMap;
 
 /// Ties by pair of bodies, ascending.
@@ -177,7 +177,7 @@ fn pair_energy<const D: usize>(tie: &Tie<D>, at: &TieAt<'_, D>) -> PairEnergy<D>
         crossing_count: 0,
         facet_count: 0,
         spacing: 0.0,
-        warnings: tie.left_out.iter().map(|left_out| tied_in_part(tie, left_out)).collect(),
+        warnings: tie.left_out.iter().map(|left_out| left_out.warning(tie.bodies, tie.area)).collect(),
     };
     PairEnergy {
         overlap,
@@ -188,9 +188,4 @@ fn pair_energy<const D: usize>(tie: &Tie<D>, at: &TieAt<'_, D>) -> PairEnergy<D>
         of_b: tie.of_b.clone(),
         pose_gradient: None,
     }
-}
-
-fn tied_in_part<const D: usize>(tie: &Tie<D>, &LeftOut { area, farthest, reach }: &LeftOut) -> Warning {
-    let [a, b] = tie.bodies.map(Partner::Body);
-    Warning::TiedInPart { a, b, tied: tie.area, left_out: area, distances: [reach, farthest] }
 }

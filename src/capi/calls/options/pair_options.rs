@@ -6,15 +6,15 @@ use crate::capi::boundary::failure::Failure;
 use crate::capi::boundary::given_struct::check_struct;
 use crate::capi::boundary::pointer::{Output, optional};
 use crate::capi::boundary::status::fmc_status;
-use crate::capi::boundary::status::fmc_status::{FMC_ERROR_OPTIONS_CONFLICT, FMC_ERROR_RESERVED_FIELD};
+use crate::capi::boundary::status::fmc_status::FMC_ERROR_OPTIONS_CONFLICT;
+use crate::capi::calls::options::pair_interface::{InterfaceFields, fmc_interface, fmc_softening};
 use crate::capi::context::session::in_either;
 use crate::capi::context::state::{fmc_context, read, write};
-use crate::capi::structs::choice::Choice;
 use crate::capi::structs::law::LawFields;
 use crate::capi::structs::option_values::{EXCLUDED, static_friction};
 use crate::capi::structs::options::{fmc_estimator, fmc_options};
 use crate::capi::structs::partner::partner;
-use crate::contact::{Interface, PairOptions};
+use crate::contact::PairOptions;
 
 /// Value of `law` in `fmc_pair_options`: the pair follows the law of the context's options, with its stiffness, also
 /// after they change.
@@ -23,25 +23,6 @@ pub const FMC_PAIR_LAW_OF_CONTEXT: i32 = -1;
 /// Value of `friction_coefficient` in `fmc_pair_options`: the pair has that of the context's options, also after it
 /// changes.
 pub const FMC_PAIR_FRICTION_OF_CONTEXT: i32 = -1;
-
-/// What happens between two bodies.
-#[repr(C)]
-pub enum fmc_interface {
-    /// They press and rub where they touch.
-    FMC_INTERFACE_CONTACT = 0,
-    /// They go together where their faces face one another without deformation, within `reach` and up to an angle of 60 degrees; they are in
-    /// no contact, neither there nor elsewhere. A gap or an overlap within reach is kept. Not with an obstacle, the law "volume", or a mesh
-    /// in parts. See `fmc_context_tie`. Key value "tied".
-    FMC_INTERFACE_TIED = 1,
-}
-
-const INTERFACE: Choice = Choice {
-    key: "interface_kind",
-    values: &[
-        (fmc_interface::FMC_INTERFACE_CONTACT as i32, "contact"),
-        (fmc_interface::FMC_INTERFACE_TIED as i32, "tied"),
-    ],
-};
 
 /// Options of one pair of partners, in place of the context's. `fmc_pair_options_init` sets all of them to what a pair
 /// has without options of its own.
@@ -53,7 +34,8 @@ pub struct fmc_pair_options {
     /// Set by `fmc_pair_options_init`, so that a struct that was not initialised is recognised.
     pub struct_size: usize,
     /// k > 0 of the law of this pair, in the units of `stiffness` in `fmc_options`; only with `law`, and then without a
-    /// default.
+    /// default. With `FMC_INTERFACE_COHESIVE`, which has no law beside it: traction by opening without damage, and in compression; 0: so much
+    /// that damage begins at a hundredth of the opening at which a linear softening ends.
     pub stiffness: f64,
     /// m >= 1, for the law "volume" only. Default 1.
     pub exponent: f64,
@@ -80,13 +62,23 @@ pub struct fmc_pair_options {
     pub weakening_slip: f64,
     /// What happens between two bodies, a value of `fmc_interface`. Default `FMC_INTERFACE_CONTACT`.
     pub interface_kind: i32,
-    /// Zero.
-    pub reserved_flags: i32,
-    /// How far apart faces that are tied may be, or how far they may overlap, a length, with `FMC_INTERFACE_TIED`; 0, the default: a
-    /// tenth of the larger facets.
+    /// A value of `fmc_softening`, with `FMC_INTERFACE_COHESIVE`. Default `FMC_SOFTENING_LINEAR`.
+    pub softening: i32,
+    /// How far apart faces that belong together may be, or how far they may overlap, a length, with `FMC_INTERFACE_TIED` and
+    /// `FMC_INTERFACE_COHESIVE`; 0, the default: a tenth of the larger facets.
     pub reach: f64,
+    /// With `FMC_INTERFACE_COHESIVE`: traction at which damage begins in pure opening, positive.
+    pub normal_strength: f64,
+    /// The same in pure sliding; 0, the default: that of opening.
+    pub shear_strength: f64,
+    /// Energy by area that pure opening takes until the interface is broken, positive.
+    pub normal_energy: f64,
+    /// The same of pure sliding; 0, the default: that of opening.
+    pub shear_energy: f64,
+    /// Exponent, at least 1, by which the two are mixed (Benzeggagh and Kenane); 0, the default: 2.
+    pub mixed_mode_exponent: f64,
     /// Zero. Room for options of later versions.
-    pub reserved: [u64; 6],
+    pub reserved: [u64; 1],
 }
 
 impl Default for fmc_pair_options {
@@ -103,9 +95,14 @@ impl Default for fmc_pair_options {
             static_coefficient: 0.0,
             weakening_slip: 0.0,
             interface_kind: fmc_interface::FMC_INTERFACE_CONTACT as i32,
-            reserved_flags: 0,
+            softening: fmc_softening::FMC_SOFTENING_LINEAR as i32,
             reach: 0.0,
-            reserved: [0; 6],
+            normal_strength: 0.0,
+            shear_strength: 0.0,
+            normal_energy: 0.0,
+            shear_energy: 0.0,
+            mixed_mode_exponent: 0.0,
+            reserved: [0; 1],
         }
     }
 }
@@ -116,12 +113,20 @@ impl From<PairOptions> for fmc_pair_options {
         let (excluded, gap_offset) = (options.excluded.into(), options.gap_offset);
         let [static_coefficient, weakening_slip] =
             options.static_friction.map_or([0.0; 2], |own| [own.coefficient, own.weakening_slip]);
-        let (interface_kind, reach) = match options.interface {
-            Interface::Contact => (fmc_interface::FMC_INTERFACE_CONTACT as i32, 0.0),
-            Interface::Tied { reach } => (fmc_interface::FMC_INTERFACE_TIED as i32, reach),
-        };
-        let own = Self { excluded, friction_coefficient, gap_offset, interface_kind, reach, ..Self::default() };
-        let own = Self { static_coefficient, weakening_slip, ..own };
+        let own = Self { excluded, friction_coefficient, gap_offset, ..Self::default() };
+        let InterfaceFields {
+            interface_kind,
+            softening,
+            stiffness,
+            reach,
+            normal_strength,
+            shear_strength,
+            normal_energy,
+            shear_energy,
+            mixed_mode_exponent,
+        } = options.interface.into();
+        let own = Self { static_coefficient, weakening_slip, interface_kind, softening, stiffness, reach, ..own };
+        let own = Self { normal_strength, shear_strength, normal_energy, shear_energy, mixed_mode_exponent, ..own };
         match options.law.map(LawFields::from) {
             None => own,
             Some(LawFields { law, stiffness, exponent, smoothing_length }) => {
@@ -135,9 +140,6 @@ impl fmc_pair_options {
     /// The options of the crate, which checks the numbers.
     fn to_pair_options(self) -> Result<PairOptions, Failure> {
         check_struct::<Self>("fmc_pair_options", self.struct_size, self.reserved)?;
-        if self.reserved_flags != 0 {
-            return Err(Failure::new(FMC_ERROR_RESERVED_FIELD, "'reserved_flags' of fmc_pair_options is not zero"));
-        }
         let coefficient = self.friction_coefficient;
         let friction_coefficient = (coefficient != f64::from(FMC_PAIR_FRICTION_OF_CONTEXT)).then_some(coefficient);
         Ok(PairOptions {
@@ -146,18 +148,21 @@ impl fmc_pair_options {
             friction_coefficient,
             static_friction: static_friction(self.static_coefficient, self.weakening_slip),
             gap_offset: self.gap_offset,
-            interface: self.interface()?,
+            interface: self.interface_fields().interface()?,
         })
     }
 
-    fn interface(&self) -> Result<Interface, Failure> {
-        match INTERFACE.name(self.interface_kind)? {
-            "tied" => Ok(Interface::Tied { reach: self.reach }),
-            _ if self.reach != 0.0 => Err(Failure::new(
-                FMC_ERROR_OPTIONS_CONFLICT,
-                "option 'reach' of a pair belongs to the interface 'tied'",
-            )),
-            _ => Ok(Interface::Contact),
+    fn interface_fields(&self) -> InterfaceFields {
+        InterfaceFields {
+            interface_kind: self.interface_kind,
+            softening: self.softening,
+            stiffness: self.stiffness,
+            reach: self.reach,
+            normal_strength: self.normal_strength,
+            shear_strength: self.shear_strength,
+            normal_energy: self.normal_energy,
+            shear_energy: self.shear_energy,
+            mixed_mode_exponent: self.mixed_mode_exponent,
         }
     }
 
@@ -165,7 +170,8 @@ impl fmc_pair_options {
         let &Self { law, stiffness, exponent, smoothing_length, .. } = self;
         if law == FMC_PAIR_LAW_OF_CONTEXT {
             // Whoever sets one of these means something by it.
-            let set = [("stiffness", stiffness != 0.0), ("exponent", exponent != 1.0)];
+            let is_cohesive = self.interface_kind == fmc_interface::FMC_INTERFACE_COHESIVE as i32;
+            let set = [("stiffness", stiffness != 0.0 && !is_cohesive), ("exponent", exponent != 1.0)];
             let set =
                 set.into_iter().chain([("smoothing_length", smoothing_length != 0.0)]).find(|(_, is_set)| *is_set);
             return match set {
@@ -261,7 +267,7 @@ pub unsafe extern "C" fn fmc_context_pair_options(
 mod tests {
     use super::*;
     use crate::capi::boundary::status::fmc_status::FMC_ERROR_STRUCT_SIZE;
-    use crate::contact::StaticFriction;
+    use crate::contact::{Cohesive, Interface, Softening, StaticFriction};
     use crate::{EnergyProfile, PenetrationLaw};
 
     fn refused(change: impl FnOnce(&mut fmc_pair_options)) -> (fmc_status, String) {
@@ -297,9 +303,28 @@ mod tests {
     }
 
     #[test]
+    fn a_cohesive_interface_has_its_own_stiffness_and_that_of_opening_by_default() {
+        let interface = Interface::Cohesive(Cohesive {
+            shear_strength: 3.0,
+            shear_energy: 0.5,
+            stiffness: 1e4,
+            softening: Softening::Exponential,
+            reach: 0.1,
+            ..Cohesive::new(2.0, 0.25)
+        });
+        let options = PairOptions { interface, ..PairOptions::default() };
+        assert_eq!(fmc_pair_options::from(options).to_pair_options().unwrap(), options);
+        let interface_kind = fmc_interface::FMC_INTERFACE_COHESIVE as i32;
+        let plain =
+            fmc_pair_options { interface_kind, normal_strength: 2.0, normal_energy: 0.25, ..Default::default() };
+        let expected = PairOptions::with_cohesive(Cohesive::new(2.0, 0.25));
+        assert_eq!(plain.to_pair_options().unwrap(), expected);
+    }
+
+    #[test]
     fn what_has_no_effect_or_no_meaning_is_refused() {
         use fmc_status::FMC_ERROR_BAD_VALUE as VALUE;
-        let (conflict, reserved) = (FMC_ERROR_OPTIONS_CONFLICT, FMC_ERROR_RESERVED_FIELD);
+        let (conflict, reserved) = (FMC_ERROR_OPTIONS_CONFLICT, fmc_status::FMC_ERROR_RESERVED_FIELD);
         for (change, wanted, text) in [
             ((|o| o.stiffness = 1.0) as fn(&mut fmc_pair_options), conflict, "'stiffness' of a pair belongs to a law"),
             (|o| o.exponent = 2.0, conflict, "'exponent' of a pair belongs to a law"),
@@ -309,10 +334,12 @@ mod tests {
             (|o| (o.law, o.smoothing_length) = (2, 1.0), conflict, "'smoothing_length' belongs to the law 'fiber'"),
             (|o| o.law = 3, VALUE, "option 'law' has no value 3"),
             (|o| o.excluded = 2, VALUE, "option 'excluded' has no value 2"),
-            (|o| o.reserved[5] = 1, reserved, "later version"),
-            (|o| o.reserved_flags = 1, reserved, "'reserved_flags'"),
-            (|o| o.interface_kind = 2, VALUE, "option 'interface_kind' has no value 2"),
-            (|o| o.reach = 0.1, conflict, "'reach' of a pair belongs to the interface 'tied'"),
+            (|o| o.reserved[0] = 1, reserved, "later version"),
+            (|o| o.interface_kind = 3, VALUE, "option 'interface_kind' has no value 3"),
+            (|o| o.softening = 2, VALUE, "option 'softening' has no value 2"),
+            (|o| o.reach = 0.1, conflict, "'reach' of a pair belongs to the interface 'tied' or 'cohesive'"),
+            (|o| (o.interface_kind, o.shear_energy) = (1, 2.0), conflict, "'shear_energy' of a pair belongs to"),
+            (|o| o.softening = 1, conflict, "'softening' of a pair belongs to the interface 'cohesive'"),
         ] {
             let (status, found) = refused(change);
             assert!(status == wanted && found.contains(text), "{found}");

@@ -88,7 +88,7 @@ impl Motions {
         for field in &fields {
             products.push(host.product(field.clone(), false).await?);
         }
-        add_ties(host, coords, &fields, &mut products).await?;
+        add_interfaces(host, coords, &fields, &mut products).await?;
         let gram = |of: &dyn Fn(usize, usize) -> f64| {
             let full = DMatrix::from_fn(count, count, of);
             0.5 * (&full + full.transpose())
@@ -163,8 +163,8 @@ fn picked(stiffness: &DMatrix<f64>, alone: &DMatrix<f64>) -> (Vec<DVector<f64>>,
     (found, !free.is_empty() || values.iter().any(|value| *value <= FREE))
 }
 
-/// Adds what ties hold motions with.
-async fn add_ties<const D: usize>(
+/// Adds what ties and cohesive interfaces hold motions with.
+async fn add_interfaces<const D: usize>(
     host: &Host<D>,
     coords: &[[f64; D]],
     fields: &[Vec<f64>],
@@ -172,7 +172,7 @@ async fn add_ties<const D: usize>(
 ) -> Result<(), Trouble> {
     let motions: Vec<_> = fields.iter().map(|field| host.unknowns.spread(field)).collect();
     let coords = coords.to_vec();
-    let held = host.contact(move |contact| contact.held_by_ties(&coords, &motions)).await?;
+    let held = host.contact(move |contact| contact.held_by_interfaces(&coords, &motions)).await?;
     for (product, rows) in products.iter_mut().zip(held) {
         product.iter_mut().zip(host.unknowns.gather(&rows)).for_each(|(sum, held)| *sum += held);
     }

@@ -1,0 +1,140 @@
+//! What happens between two bodies, as options of a pair.
+
+use crate::capi::boundary::failure::Failure;
+use crate::capi::boundary::status::fmc_status::FMC_ERROR_OPTIONS_CONFLICT;
+use crate::capi::structs::choice::Choice;
+use crate::contact::{Cohesive, Interface, Softening};
+
+/// What happens between two bodies.
+#[repr(C)]
+pub enum fmc_interface {
+    /// They press and rub where they touch.
+    FMC_INTERFACE_CONTACT = 0,
+    /// They go together where their faces face one another without deformation, within `reach` and up to an angle of 60 degrees; they are in
+    /// no contact, neither there nor elsewhere. A gap or an overlap within reach is kept. Not with an obstacle, the law "volume", or a mesh
+    /// in parts. See `fmc_context_tie`. Key value "tied".
+    FMC_INTERFACE_TIED = 1,
+    /// They are held together where those that are tied would be, by an interface that opens, slides and breaks. They are in no contact:
+    /// the interface carries compression without damage, also where it is broken, at the points that faced one another at first. See
+    /// `fmc_context_cohesive`. Key value "cohesive".
+    FMC_INTERFACE_COHESIVE = 2,
+}
+
+/// How the traction of a cohesive interface falls as it opens.
+#[repr(C)]
+pub enum fmc_softening {
+    /// Along a straight line. Key value "linear".
+    FMC_SOFTENING_LINEAR = 0,
+    /// Exponentially: it never quite ends. Key value "exponential".
+    FMC_SOFTENING_EXPONENTIAL = 1,
+}
+
+const SOFTENING: Choice = Choice {
+    key: "softening",
+    values: &[
+        (fmc_softening::FMC_SOFTENING_LINEAR as i32, "linear"),
+        (fmc_softening::FMC_SOFTENING_EXPONENTIAL as i32, "exponential"),
+    ],
+};
+
+const INTERFACE: Choice = Choice {
+    key: "interface_kind",
+    values: &[
+        (fmc_interface::FMC_INTERFACE_CONTACT as i32, "contact"),
+        (fmc_interface::FMC_INTERFACE_TIED as i32, "tied"),
+        (fmc_interface::FMC_INTERFACE_COHESIVE as i32, "cohesive"),
+    ],
+};
+
+/// What of the options of a pair says what happens between the two.
+pub(super) struct InterfaceFields {
+    pub(super) interface_kind: i32,
+    pub(super) softening: i32,
+    pub(super) stiffness: f64,
+    pub(super) reach: f64,
+    pub(super) normal_strength: f64,
+    pub(super) shear_strength: f64,
+    pub(super) normal_energy: f64,
+    pub(super) shear_energy: f64,
+    pub(super) mixed_mode_exponent: f64,
+}
+
+impl Default for InterfaceFields {
+    fn default() -> Self {
+        Self {
+            interface_kind: fmc_interface::FMC_INTERFACE_CONTACT as i32,
+            softening: fmc_softening::FMC_SOFTENING_LINEAR as i32,
+            stiffness: 0.0,
+            reach: 0.0,
+            normal_strength: 0.0,
+            shear_strength: 0.0,
+            normal_energy: 0.0,
+            shear_energy: 0.0,
+            mixed_mode_exponent: 0.0,
+        }
+    }
+}
+
+impl From<Interface> for InterfaceFields {
+    fn from(interface: Interface) -> Self {
+        match interface {
+            Interface::Contact => Self::default(),
+            Interface::Tied { reach } => {
+                Self { interface_kind: fmc_interface::FMC_INTERFACE_TIED as i32, reach, ..Self::default() }
+            }
+            Interface::Cohesive(own) => Self {
+                interface_kind: fmc_interface::FMC_INTERFACE_COHESIVE as i32,
+                stiffness: own.stiffness,
+                softening: match own.softening {
+                    Softening::Linear => fmc_softening::FMC_SOFTENING_LINEAR as i32,
+                    Softening::Exponential => fmc_softening::FMC_SOFTENING_EXPONENTIAL as i32,
+                },
+                reach: own.reach,
+                normal_strength: own.normal_strength,
+                shear_strength: own.shear_strength,
+                normal_energy: own.normal_energy,
+                shear_energy: own.shear_energy,
+                mixed_mode_exponent: own.exponent,
+            },
+        }
+    }
+}
+
+impl InterfaceFields {
+    /// What they say; the crate checks the numbers.
+    pub(super) fn interface(&self) -> Result<Interface, Failure> {
+        let kind = INTERFACE.name(self.interface_kind)?;
+        let softening = SOFTENING.name(self.softening)?;
+        if kind == "cohesive" {
+            let or = |value: f64, default: f64| if value == 0.0 { default } else { value };
+            return Ok(Interface::Cohesive(Cohesive {
+                normal_strength: self.normal_strength,
+                shear_strength: or(self.shear_strength, self.normal_strength),
+                normal_energy: self.normal_energy,
+                shear_energy: or(self.shear_energy, self.normal_energy),
+                exponent: or(self.mixed_mode_exponent, Cohesive::EXPONENT),
+                stiffness: self.stiffness,
+                softening: if softening == "linear" { Softening::Linear } else { Softening::Exponential },
+                reach: self.reach,
+            }));
+        }
+        let of_cohesive = [
+            ("normal_strength", self.normal_strength != 0.0),
+            ("shear_strength", self.shear_strength != 0.0),
+            ("normal_energy", self.normal_energy != 0.0),
+            ("shear_energy", self.shear_energy != 0.0),
+            ("mixed_mode_exponent", self.mixed_mode_exponent != 0.0),
+            ("softening", softening != "linear"),
+        ];
+        let conflict = |key: &str, of: &str| {
+            let text = format!("option '{key}' of a pair belongs to the interface {of}");
+            Err(Failure::new(FMC_ERROR_OPTIONS_CONFLICT, text))
+        };
+        match of_cohesive.into_iter().find(|(_, is_set)| *is_set) {
+            Some((key, _)) => conflict(key, "'cohesive'"),
+            None if kind == "tied" => Ok(Interface::Tied { reach: self.reach }),
+            None if self.reach != 0.0 => conflict("reach", "'tied' or 'cohesive'"),
+            None => Ok(Interface::Contact),
+        }
+    }
+}

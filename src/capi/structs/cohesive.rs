@@ -1,0 +1,91 @@
+//! Cohesive interfaces as plain structs.
+
+use crate::contact::{CohesivePoint, CohesiveSummary};
+
+/// The cohesive interface of two bodies.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct fmc_cohesive {
+    /// Size of this struct, as the library wrote it.
+    pub struct_size: usize,
+    /// All of it, in area without deformation (2D: length; with axisymmetry the area of whole rings); 0: there is none.
+    pub area: f64,
+    /// The largest gap, or overlap, that is kept between the surfaces, a length.
+    pub largest_gap: f64,
+    /// Number of points at which it opens and breaks.
+    pub point_count: usize,
+    /// Energy that unloading would give back.
+    pub stored: f64,
+    /// Energy that has been dissipated since nothing was damaged.
+    pub dissipated: f64,
+    /// Area of points that are damaged, broken ones among them.
+    pub damaged_area: f64,
+    /// Area of points that are broken.
+    pub broken_area: f64,
+    /// Zero.
+    pub reserved: [u64; 4],
+}
+
+/// A point of a cohesive interface.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct fmc_cohesive_point {
+    /// Size of this struct, as the library wrote it.
+    pub struct_size: usize,
+    /// The bodies, indices for `fmc_context_body_resultant`, the lower one first.
+    pub body: usize,
+    /// See `body`.
+    pub partner: usize,
+    /// Where it is, on `body`; in 2D the last is 0.
+    pub position: [f64; 3],
+    /// Area that it stands for, without deformation.
+    pub area: f64,
+    /// How far the bodies are apart beyond the gap at first, along the normal of `partner`, a length; negative where they are pressed.
+    pub opening: f64,
+    /// How far `body` has slid along the surface of `partner`, a length; in 2D the last is 0.
+    pub sliding: [f64; 3],
+    /// Traction on `partner`, force by area, along its outward normal where the bodies are pulled apart; in 2D the last is 0.
+    pub traction: [f64; 3],
+    /// Damage, 0 to 1, as it would be after a step that ends here.
+    pub damage: f64,
+    /// Energy by area that has been dissipated then.
+    pub dissipated: f64,
+    /// Zero.
+    pub reserved: [u64; 4],
+}
+
+impl From<Option<CohesiveSummary>> for fmc_cohesive {
+    fn from(found: Option<CohesiveSummary>) -> Self {
+        let found = found.unwrap_or_default();
+        Self {
+            struct_size: size_of::<Self>(),
+            area: found.area,
+            largest_gap: found.largest_gap,
+            point_count: found.count,
+            stored: found.stored,
+            dissipated: found.dissipated,
+            damaged_area: found.damaged_area,
+            broken_area: found.broken_area,
+            reserved: [0; 4],
+        }
+    }
+}
+
+impl<const D: usize> From<&CohesivePoint<D>> for fmc_cohesive_point {
+    fn from(one: &CohesivePoint<D>) -> Self {
+        let in_space = |x: &[f64; D]| std::array::from_fn(|axis| if axis < D { x[axis] } else { 0.0 });
+        Self {
+            struct_size: size_of::<Self>(),
+            body: one.bodies[0],
+            partner: one.bodies[1],
+            position: in_space(&one.position),
+            area: one.area,
+            opening: one.opening,
+            sliding: in_space(&one.sliding),
+            traction: in_space(&one.traction),
+            damage: one.damage,
+            dissipated: one.dissipated,
+            reserved: [0; 4],
+        }
+    }
+}

@@ -1,0 +1,199 @@
+//! The cohesive interfaces of a contact.
+
+use crate::Error;
+use crate::contact::laws::{Answer, PairEnergy};
+use crate::contact::mesh::Mesh;
+use crate::contact::tangents::{Tangent, TangentPart};
+use crate::geometry::Weighting;
+use crate::interfaces::{Cohesion, CohesionAt, Cohesive, CohesiveLaw, PointDamage, Softened};
+use crate::overlap::{Overlap, Partner};
+use std::collections::BTreeMap;
+
+/// What points have been through, by pair of bodies; nothing where a pair is not there.
+pub(crate) type Damage = BTreeMap<[usize; 2], Vec<PointDamage>>;
+
+/// Cohesive interfaces by pair of bodies, ascending.
+#[derive(Default)]
+pub(crate) struct Cohesions<const D: usize>(BTreeMap<[usize; 2], Held<D>>);
+
+struct Held<const D: usize> {
+    options: Cohesive,
+    /// As the mesh is without deformation; an error is that of every evaluation.
+    cohesion: Result<Cohesion<D>, Error>,
+}
+
+impl<const D: usize> Cohesions<D> {
+    pub(crate) fn is_empty(&self) -> bool {
+        self.0.is_empty()
+    }
+
+    /// Holds two bodies together, or releases them with `None`; returns whether anything has changed.
+    ///
+    /// # Errors
+    /// Those of [`Cohesion::new`]; all then stays as it is.
+    pub(crate) fn set(
+        &mut self,
+        bodies: [usize; 2],
+        options: Option<Cohesive>,
+        mesh: &Mesh<D>,
+        weighting: Weighting,
+    ) -> Result<bool, Error> {
+        let Some(options) = options else { return Ok(self.0.remove(&bodies).is_some()) };
+        if self.0.get(&bodies).is_some_and(|held| held.options == options && held.cohesion.is_ok()) {
+            return Ok(false);
+        }
+        let cohesion = found(mesh, weighting, bodies, options.reach)?;
+        self.0.insert(bodies, Held { options, cohesion: Ok(cohesion) });
+        Ok(true)
+    }
+
+    /// Finds them anew, on another mesh without deformation.
+    pub(crate) fn find_again(&mut self, mesh: &Mesh<D>, weighting: Weighting) {
+        for (bodies, held) in &mut self.0 {
+            held.cohesion = found(mesh, weighting, *bodies, held.options.reach);
+        }
+    }
+
+    /// All of them, with their laws.
+    ///
+    /// # Errors
+    /// Of one that is no longer there, since the mesh without deformation has changed.
+    pub(crate) fn all(&self) -> impl Iterator<Item = Result<(&Cohesion<D>, CohesiveLaw), Error>> {
+        self.0.values().map(|held| match &held.cohesion {
+            Ok(cohesion) => Ok((cohesion, CohesiveLaw::new(&held.options))),
+            Err(error) => Err(error.clone()),
+        })
+    }
+
+    /// All of them at the points of the mesh, after what they have been through.
+    pub(crate) fn at(
+        &self,
+        points: &[[f64; D]],
+        damage: &Damage,
+    ) -> Result<Vec<(&Cohesion<D>, CohesionAt<'_, D>)>, Error> {
+        let mut all = Vec::with_capacity(self.0.len());
+        for found in self.all() {
+            let (cohesion, law) = found?;
+            all.push((cohesion, cohesion.at(points, &law, past(damage, cohesion))));
+        }
+        Ok(all)
+    }
+
+    /// Their energies and tangents at the points of the mesh, as far as they are asked for; by pair.
+    pub(crate) fn measured(
+        &self,
+        points: &[[f64; D]],
+        damage: &Damage,
+        (energy, part): (bool, Option<TangentPart>),
+    ) -> Result<Vec<Answer<D>>, Error> {
+        let one = |(cohesion, at): (&Cohesion<D>, CohesionAt<'_, D>)| {
+            let energy = energy.then(|| pair_energy(cohesion, &at));
+            let tangent = part.map(|part| {
+                let which = match part {
+                    TangentPart::Full => Softened::All,
+                    TangentPart::Symmetric => Softened::Symmetric,
+                    TangentPart::Semidefinite => Softened::Secant,
+                };
+                Tangent { blocks: at.curvature(which), rank_one: Vec::new() }
+            });
+            Answer { energy, tangent, nodal_sums: None, points: Vec::new() }
+        };
+        Ok(self.at(points, damage)?.into_iter().map(one).collect())
+    }
+
+    /// What points have been through after a step that ends at these points of the mesh.
+    pub(crate) fn damaged(&self, points: &[[f64; D]], damage: &Damage) -> Result<Damage, Error> {
+        let one = |(cohesion, at): (&Cohesion<D>, CohesionAt<'_, D>)| {
+            (cohesion.bodies, at.points().map(|(_, point)| point.now()).collect())
+        };
+        Ok(self.at(points, damage)?.into_iter().map(one).collect())
+    }
+
+    /// The same as one list, by pair and point.
+    pub(crate) fn list(&self, damage: &Damage) -> Result<Vec<PointDamage>, Error> {
+        let mut list = Vec::new();
+        for found in self.all() {
+            let (cohesion, _) = found?;
+            let known = past(damage, cohesion);
+            list.extend((0..cohesion.points.len()).map(|point| known.get(point).copied().unwrap_or_default()));
+        }
+        Ok(list)
+    }
+
+    /// Of such a list.
+    ///
+    /// # Errors
+    /// [`Error::Length`]; [`Error::NotPositive`] for a damage outside 0 to 1, or an energy that is negative.
+    pub(crate) fn of_list(&self, list: &[PointDamage]) -> Result<Damage, Error> {
+        for one in list {
+            Error::check_not_negative("damage", one.damage)?;
+            Error::check_not_negative("1 - damage", 1.0 - one.damage)?;
+            Error::check_not_negative("dissipated", one.dissipated)?;
+        }
+        let counts = self.all().map(|found| found.map(|(cohesion, _)| (cohesion.bodies, cohesion.points.len())));
+        let counts = counts.collect::<Result<Vec<_>, _>>()?;
+        let expected = counts.iter().map(|(_, count)| count).sum();
+        if list.len() != expected {
+            return Err(Error::Length { array: "damage", expected, found: list.len() });
+        }
+        let mut rest = list;
+        let mut next = |count| {
+            let (own, others) = rest.split_at(count);
+            rest = others;
+            own.to_vec()
+        };
+        Ok(counts.into_iter().map(|(bodies, count)| (bodies, next(count))).collect())
+    }
+}
+
+fn past<'a, const D: usize>(damage: &'a Damage, cohesion: &Cohesion<D>) -> &'a [PointDamage] {
+    damage.get(&cohesion.bodies).map_or(&[], Vec::as_slice)
+}
+
+fn found<const D: usize>(
+    mesh: &Mesh<D>,
+    weighting: Weighting,
+    bodies: [usize; 2],
+    reach: f64,
+) -> Result<Cohesion<D>, Error> {
+    let points = mesh.placed(mesh.surface.reference().into());
+    Cohesion::new(&mesh.surface, &points, weighting, bodies, reach)
+}
+
+/// What was put into the interface, stored and dissipated: no step makes it jump. Its area is what is not broken.
+fn pair_energy<const D: usize>(cohesion: &Cohesion<D>, at: &CohesionAt<'_, D>) -> PairEnergy<D> {
+    let gradient = at.gradient();
+    let [stored, dissipated] = at.energies();
+    let (mut area, mut pulled) = (0.0, 0.0);
+    for (point, at) in at.points() {
+        area += if at.now().damage < 1.0 { point.measure } else { 0.0 };
+        pulled += point.measure * at.traction.norm();
+    }
+    let [a, b] = cohesion.bodies.map(Partner::Body);
+    let overlap = Overlap {
+        a,
+        b,
+        volume: 0.0,
+        standard_error: 0.0,
+        nodes: cohesion.nodes.clone(),
+        gradient: gradient.clone(),
+        of_b: cohesion.of_b.clone(),
+        pose_gradient: None,
+        contact_area: area,
+        penetration: 0.0,
+        fiber_count: 0,
+        crossing_count: 0,
+        facet_count: 0,
+        spacing: 0.0,
+        warnings: cohesion.left_out.iter().map(|left_out| left_out.warning(cohesion.bodies, cohesion.area)).collect(),
+    };
+    PairEnergy {
+        overlap,
+        energy: stored + dissipated,
+        pressure: pulled / cohesion.area,
+        nodes: cohesion.nodes.clone(),
+        gradient,
+        of_b: cohesion.of_b.clone(),
+        pose_gradient: None,
+    }
+}

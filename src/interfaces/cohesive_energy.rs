@@ -1,0 +1,240 @@
+//! The energy of a cohesive interface at some coordinates, stored and dissipated, and its derivatives.
+//!
+//! With the traction t_n along the normal, the stiffness k of sliding and d(a·n) = n·da + a·dn
+//!
+//! ```text
+//! dE = t·da + c a·dn         t = t_n n + k δ_t,   c = t_n − k a·n
+//! d²E = k (da·da − d(a·n)²) + t_n′ d(a·n)² + c d²(a·n) − dY dd
+//! ```
+//!
+//! where the last is there while damage d grows. It is not symmetric where the energy of fracture depends on the mode, which then changes
+//! as the interface opens on.
+
+use super::cohesion::{Cohesion, CohesivePoint};
+use super::cohesive_law::{CohesiveLaw, PointDamage, Response};
+use super::frame::{Frame, Matrix};
+use super::place::Weights;
+use crate::geometry::Vector;
+use crate::overlap::{Block, BlockSum};
+use std::collections::BTreeMap;
+
+/// What is asked of the second derivative of a cohesive interface.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Softened {
+    /// All of it.
+    All,
+    /// Its symmetric part.
+    Symmetric,
+    /// At the damage there is, without what the turning of facets adds.
+    Secant,
+}
+
+/// A cohesive interface at some coordinates.
+pub(crate) struct CohesionAt<'a, const D: usize> {
+    cohesion: &'a Cohesion<D>,
+    frames: Vec<Frame<D>>,
+    states: Vec<PointAt<D>>,
+    stiffness: [f64; 2],
+}
+
+/// A point of it.
+pub(crate) struct PointAt<const D: usize> {
+    /// a, and its part along the normal.
+    apart: Vector<D>,
+    along: f64,
+    response: Response,
+    pub(crate) opening: f64,
+    pub(crate) sliding: Vector<D>,
+    /// Of the second body on the first, a force by area, with its sign turned: positive along the normal of the second in tension.
+    pub(crate) traction: Vector<D>,
+}
+
+impl<const D: usize> PointAt<D> {
+    pub(crate) fn now(&self) -> PointDamage {
+        self.response.now
+    }
+
+    pub(crate) fn stored(&self) -> f64 {
+        self.response.stored
+    }
+}
+
+impl<const D: usize> Cohesion<D> {
+    /// At these points of the mesh, after what its points have been through (`&[]`: nothing). A facet that has collapsed has no normal: its
+    /// points then only slide.
+    pub(crate) fn at(&self, points: &[[f64; D]], law: &CohesiveLaw, past: &[PointDamage]) -> CohesionAt<'_, D> {
+        let x: Vec<Vector<D>> = self.nodes.iter().map(|&node| Vector::from(points[node as usize])).collect();
+        let sum = |weights: &Weights| {
+            weights.iter().fold(Vector::<D>::zeros(), |sum, &(node, weight)| sum + x[node as usize] * weight)
+        };
+        let frame = |corners: &[Weights; D]| Frame::new(&corners.each_ref().map(sum)).unwrap_or_else(Frame::none);
+        let frames: Vec<_> = self.frames.iter().map(frame).collect();
+        let at = |(number, point): (usize, &CohesivePoint)| {
+            let (apart, normal) = (sum(&point.jump), frames[point.frame as usize].normal);
+            let along = apart.dot(&normal);
+            let (opening, sliding) = (along - point.gap, apart - normal * along);
+            let past = past.get(number).copied().unwrap_or_default();
+            let response = law.response(&past, opening, sliding.norm_squared());
+            let traction = normal * response.normal + sliding * response.shear_stiffness;
+            PointAt { apart, along, response, opening, sliding, traction }
+        };
+        let states = self.points.iter().enumerate().map(at).collect();
+        CohesionAt { cohesion: self, frames, states, stiffness: law.stiffness }
+    }
+}
+
+impl<const D: usize> CohesionAt<'_, D> {
+    /// The points with their states.
+    pub(crate) fn points(&self) -> impl Iterator<Item = (&CohesivePoint, &PointAt<D>)> {
+        self.cohesion.points.iter().zip(&self.states)
+    }
+
+    /// Energy that unloading would give back, and that has been dissipated.
+    pub(crate) fn energies(&self) -> [f64; 2] {
+        self.points().fold([0.0; 2], |[stored, dissipated], (point, at)| {
+            [stored + point.measure * at.stored(), dissipated + point.measure * at.now().dissipated]
+        })
+    }
+
+    /// Derivative of the energy by the nodes of the interface.
+    pub(crate) fn gradient(&self) -> Vec<Vector<D>> {
+        let mut gradient = vec![Vector::zeros(); self.cohesion.nodes.len()];
+        let mut loads = vec![Vector::<D>::zeros(); self.frames.len()];
+        for (point, at) in self.points() {
+            let traction = at.traction * point.measure;
+            point.jump.iter().for_each(|&(node, weight)| gradient[node as usize] += traction * weight);
+            loads[point.frame as usize] += at.apart * (point.measure * at.turning());
+        }
+        for (number, load) in loads.iter().enumerate() {
+            for (corner, slope) in self.cohesion.frames[number].iter().zip(&self.frames[number].slopes) {
+                let force = Vector::<D>::from_fn(|j, _| (0..D).map(|i| load[i] * slope[i][j]).sum());
+                corner.iter().for_each(|&(node, weight)| gradient[node as usize] += force * weight);
+            }
+        }
+        gradient
+    }
+
+    /// The second derivative, by points of the mesh.
+    pub(crate) fn curvature(&self, which: Softened) -> Vec<Block<D>> {
+        let (mut sum, mut square) = (BlockSum::default(), Square::default());
+        for (point, at) in self.points() {
+            // The points of a piece move the same nodes.
+            if !square.is_of(point) {
+                square.hand_over(&self.cohesion.nodes, &mut sum);
+                square = Square::of(point, &self.cohesion.frames[point.frame as usize]);
+            }
+            square.add(point, at, (&self.frames[point.frame as usize], self.stiffness), which);
+        }
+        square.hand_over(&self.cohesion.nodes, &mut sum);
+        sum.into_blocks()
+    }
+}
+
+impl<const D: usize> PointAt<D> {
+    /// c, by which a turning facet works.
+    fn turning(&self) -> f64 {
+        self.response.normal - self.response.shear_stiffness * self.along
+    }
+}
+
+/// What points of one piece add to the second derivative.
+#[derive(Default)]
+struct Square<const D: usize> {
+    /// The nodes, as places in the list of the interface, and how they move the corners of the facet.
+    nodes: Vec<u32>,
+    corners: Vec<[f64; D]>,
+    /// Those of the jump alone, and the facet, by which points of one piece are known.
+    jump: Vec<u32>,
+    frame: u32,
+    values: Vec<Matrix<D>>,
+}
+
+impl<const D: usize> Square<D> {
+    fn of(point: &CohesivePoint, corners: &[Weights; D]) -> Self {
+        let mut of_node: BTreeMap<u32, [f64; D]> = point.jump.iter().map(|&(node, _)| (node, [0.0; D])).collect();
+        for (corner, weights) in corners.iter().enumerate() {
+            weights.iter().for_each(|&(node, weight)| of_node.entry(node).or_insert([0.0; D])[corner] += weight);
+        }
+        let jump = point.jump.iter().map(|(node, _)| *node).collect();
+        let values = vec![[[0.0; D]; D]; of_node.len() * of_node.len()];
+        let (nodes, corners) = of_node.into_iter().unzip();
+        Self { nodes, corners, jump, frame: point.frame, values }
+    }
+
+    fn is_of(&self, point: &CohesivePoint) -> bool {
+        self.frame == point.frame && self.jump.iter().eq(point.jump.iter().map(|(node, _)| node))
+    }
+
+    fn hand_over(&self, nodes: &[u32], sum: &mut BlockSum<D>) {
+        let nodes: Vec<u32> = self.nodes.iter().map(|node| nodes[*node as usize]).collect();
+        sum.add_square(&nodes, &self.values);
+    }
+
+    fn add(&mut self, point: &CohesivePoint, at: &PointAt<D>, (frame, full): (&Frame<D>, [f64; 2]), which: Softened) {
+        let count = self.nodes.len();
+        let mut weights = vec![0.0; count];
+        let mut places = 0..count;
+        for &(node, weight) in &point.jump {
+            // Both are ascending.
+            if let Some(place) = places.find(|&place| self.nodes[place] == node) {
+                weights[place] = weight;
+            }
+        }
+        let slopes: Vec<Matrix<D>> = self.corners.iter().map(|shares| mixed(shares, &frame.slopes)).collect();
+        let (normal, apart, response) = (&frame.normal, &at.apart, &at.response);
+        // d(a·n), and half the derivative of the squared sliding.
+        let turned = |slope: &Matrix<D>| Vector::<D>::from_fn(|j, _| (0..D).map(|i| apart[i] * slope[i][j]).sum());
+        let along: Vec<Vector<D>> = (0..count).map(|k| normal * weights[k] + turned(&slopes[k])).collect();
+        let sliding: Vec<Vector<D>> = (0..count).map(|k| apart * weights[k] - along[k] * at.along).collect();
+        let of_all = |k: usize| along[k] * (full[0] * at.opening.max(0.0)) + sliding[k] * full[1];
+        let growth = response.growth.filter(|_| which != Softened::Secant);
+        let (energy, damage): (Vec<Vector<D>>, Vec<Vector<D>>) = match growth {
+            Some([by_all, by_sliding]) => {
+                (0..count).map(|k| (of_all(k), of_all(k) * by_all + sliding[k] * (full[1] * by_sliding))).unzip()
+            }
+            None => (Vec::new(), Vec::new()),
+        };
+        let (shear, turning) = (response.shear_stiffness, at.turning());
+        let bent: Vec<Matrix<D>> = match which {
+            Softened::Secant => Vec::new(),
+            _ => (0..D * D).map(|k| frame.second(apart, [k / D, k % D])).collect(),
+        };
+        for r in 0..count {
+            for c in 0..count {
+                let value = &mut self.values[r * count + c];
+                for i in 0..D {
+                    for j in 0..D {
+                        let plain = if i == j { weights[r] * weights[c] } else { 0.0 };
+                        let normals = along[r][i] * along[c][j];
+                        let mut entry = shear * plain + response.normal_stiffness * normals;
+                        if which == Softened::Secant {
+                            entry -= shear * weights[r] * weights[c] * normal[i] * normal[j];
+                        } else {
+                            let crossed = weights[r] * slopes[c][i][j] + weights[c] * slopes[r][j][i];
+                            entry += turning * crossed - shear * normals;
+                        }
+                        if growth.is_some() {
+                            entry -= match which {
+                                Softened::All => energy[r][i] * damage[c][j],
+                                _ => 0.5 * (energy[r][i] * damage[c][j] + damage[r][i] * energy[c][j]),
+                            };
+                        }
+                        value[i][j] += point.measure * entry;
+                    }
+                }
+                for (k, second) in bent.iter().enumerate() {
+                    let share = point.measure * turning * self.corners[r][k / D] * self.corners[c][k % D];
+                    if share != 0.0 {
+                        (0..D).for_each(|i| (0..D).for_each(|j| value[i][j] += share * second[i][j]));
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// Σ shares · slopes.
+fn mixed<const D: usize>(shares: &[f64; D], slopes: &[Matrix<D>; D]) -> Matrix<D> {
+    let entry = |i: usize, j: usize| shares.iter().zip(slopes).map(|(share, slope)| share * slope[i][j]).sum();
+    std::array::from_fn(|i| std::array::from_fn(|j| entry(i, j)))
+}
