@@ -876,16 +876,6 @@ fmc_status fmc_context_remove_obstacle(fmc_context *context, size_t obstacle);
 // changes.
 #define FMC_PAIR_FRICTION_OF_CONTEXT -1
 
-// What happens between two bodies.
-typedef enum {
-  // They press and rub where they touch.
-  FMC_INTERFACE_CONTACT = 0,
-  // They go together where their faces face one another without deformation, within `reach` and up to an angle of 60 degrees; they are in
-  // no contact, neither there nor elsewhere. A gap or an overlap within reach is kept. Not with an obstacle, the law "volume", or a mesh
-  // in parts. See `fmc_context_tie`. Key value "tied".
-  FMC_INTERFACE_TIED = 1,
-} fmc_interface;
-
 // Options of one pair of partners, in place of the context's. `fmc_pair_options_init` sets all of them to what a pair
 // has without options of its own.
 //
@@ -894,7 +884,8 @@ typedef struct {
   // Set by `fmc_pair_options_init`, so that a struct that was not initialised is recognised.
   size_t struct_size;
   // k > 0 of the law of this pair, in the units of `stiffness` in `fmc_options`; only with `law`, and then without a
-  // default.
+  // default. With `FMC_INTERFACE_COHESIVE`, which has no law beside it: traction by opening without damage, and in compression; 0: so much
+  // that damage begins at a hundredth of the opening at which a linear softening ends.
   double stiffness;
   // m >= 1, for the law "volume" only. Default 1.
   double exponent;
@@ -921,13 +912,23 @@ typedef struct {
   double weakening_slip;
   // What happens between two bodies, a value of `fmc_interface`. Default `FMC_INTERFACE_CONTACT`.
   int32_t interface_kind;
-  // Zero.
-  int32_t reserved_flags;
-  // How far apart faces that are tied may be, or how far they may overlap, a length, with `FMC_INTERFACE_TIED`; 0, the default: a
-  // tenth of the larger facets.
+  // A value of `fmc_softening`, with `FMC_INTERFACE_COHESIVE`. Default `FMC_SOFTENING_LINEAR`.
+  int32_t softening;
+  // How far apart faces that belong together may be, or how far they may overlap, a length, with `FMC_INTERFACE_TIED` and
+  // `FMC_INTERFACE_COHESIVE`; 0, the default: a tenth of the larger facets.
   double reach;
+  // With `FMC_INTERFACE_COHESIVE`: traction at which damage begins in pure opening, positive.
+  double normal_strength;
+  // The same in pure sliding; 0, the default: that of opening.
+  double shear_strength;
+  // Energy by area that pure opening takes until the interface is broken, positive.
+  double normal_energy;
+  // The same of pure sliding; 0, the default: that of opening.
+  double shear_energy;
+  // Exponent, at least 1, by which the two are mixed (Benzeggagh and Kenane); 0, the default: 2.
+  double mixed_mode_exponent;
   // Zero. Room for options of later versions.
-  uint64_t reserved[6];
+  uint64_t reserved[1];
 } fmc_pair_options;
 
 // Sets the options of a pair to what it has without options of its own: the law of the context, not left out.

@@ -138,8 +138,6 @@ module fmc_contact_c
   integer(c_int32_t), parameter :: FMC_SHAPE_HEIGHT_FIELD = 8
   integer(c_int32_t), parameter :: FMC_SHAPE_COMPOUND = 9
   integer(c_int32_t), parameter :: FMC_SHAPE_SIGNED_DISTANCE = 10
-  integer(c_int32_t), parameter :: FMC_INTERFACE_CONTACT = 0
-  integer(c_int32_t), parameter :: FMC_INTERFACE_TIED = 1
   integer(c_int32_t), parameter :: FMC_PARTNER_BODY = 0
   integer(c_int32_t), parameter :: FMC_PARTNER_OBSTACLE = 1
   integer(c_int32_t), parameter :: FMC_WARNING_COARSE_FIBERS = 1
@@ -284,9 +282,14 @@ module fmc_contact_c
     real(c_double) :: static_coefficient
     real(c_double) :: weakening_slip
     integer(c_int32_t) :: interface_kind
-    integer(c_int32_t) :: reserved_flags
+    integer(c_int32_t) :: softening
     real(c_double) :: reach
-    integer(c_int64_t) :: reserved(6)
+    real(c_double) :: normal_strength
+    real(c_double) :: shear_strength
+    real(c_double) :: normal_energy
+    real(c_double) :: shear_energy
+    real(c_double) :: mixed_mode_exponent
+    integer(c_int64_t) :: reserved(1)
   end type
 
   type, bind(c) :: fmc_result

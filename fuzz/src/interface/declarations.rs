@@ -133,8 +133,6 @@ pub const FMC_SHAPE_CONVEX_HULL: i32 = 7;
 pub const FMC_SHAPE_HEIGHT_FIELD: i32 = 8;
 pub const FMC_SHAPE_COMPOUND: i32 = 9;
 pub const FMC_SHAPE_SIGNED_DISTANCE: i32 = 10;
-pub const FMC_INTERFACE_CONTACT: i32 = 0;
-pub const FMC_INTERFACE_TIED: i32 = 1;
 pub const FMC_PARTNER_BODY: i32 = 0;
 pub const FMC_PARTNER_OBSTACLE: i32 = 1;
 pub const FMC_WARNING_COARSE_FIBERS: i32 = 1;
@@ -326,9 +324,14 @@ pub struct fmc_pair_options {
     pub static_coefficient: f64,
     pub weakening_slip: f64,
     pub interface_kind: i32,
-    pub reserved_flags: i32,
+    pub softening: i32,
     pub reach: f64,
-    pub reserved: [u64; 6],
+    pub normal_strength: f64,
+    pub shear_strength: f64,
+    pub normal_energy: f64,
+    pub shear_energy: f64,
+    pub mixed_mode_exponent: f64,
+    pub reserved: [u64; 1],
 }
 
 #[repr(C)]

@@ -13,6 +13,7 @@ one call or by a ``Contact`` that is kept. Forces push bodies apart. Units are t
 from . import errors
 from ._library import library as _shared
 from .boundary import BoundaryFacets
+from .cohesive import CohesiveInterface, CohesiveInterfaces, CohesivePoints
 from .condensation import Condensation
 from .contact import Contact
 from .contact_step import ContactStep
@@ -70,6 +71,9 @@ __all__ = [
     "Adjustment",
     "Augmentation",
     "BoundaryFacets",
+    "CohesiveInterface",
+    "CohesiveInterfaces",
+    "CohesivePoints",
     "Condensation",
     "Conductance",
     "Contact",

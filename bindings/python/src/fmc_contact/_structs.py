@@ -177,9 +177,14 @@ class fmc_pair_options(Structure):
         ("static_coefficient", c_double),
         ("weakening_slip", c_double),
         ("interface_kind", c_int32),
-        ("reserved_flags", c_int32),
+        ("softening", c_int32),
         ("reach", c_double),
-        ("reserved", c_uint64 * 6),
+        ("normal_strength", c_double),
+        ("shear_strength", c_double),
+        ("normal_energy", c_double),
+        ("shear_energy", c_double),
+        ("mixed_mode_exponent", c_double),
+        ("reserved", c_uint64 * 1),
     ]
 
 

@@ -16,6 +16,7 @@ from ._core import Core
 from ._library import library
 from ._structs import fmc_log_callback, fmc_options, fmc_result, fmc_step_limit
 from ._unpack import Unpack
+from .cohesive import CohesiveInterfaces
 from .contact_step import ContactStep, contact_step
 from .fields import ContactPoints, NodalContact, contact_points, nodal_contact
 from .flux import Conductance, ContactFlux, FrictionHeat, flux, friction_heat
@@ -71,6 +72,8 @@ class Contact:
         Rigid obstacles: added, moved, removed.
     pairs : Pairs
         Options of single pairs.
+    cohesive : CohesiveInterfaces
+        Interfaces that break, and their damage.
     friction : FrictionSteps
         Steps with friction, and the elastic slip that is carried from one to the next.
     multipliers : Multipliers
@@ -105,6 +108,7 @@ class Contact:
     mesh: Mesh
     obstacles: Obstacles
     pairs: Pairs
+    cohesive: CohesiveInterfaces
     friction: FrictionSteps
     multipliers: Multipliers
     patches: Patches
@@ -180,7 +184,7 @@ class Contact:
         """Takes a context, and makes the parts."""
         self._core = core = Core(start.handle, options, start.dim, start.is_columns)
         self.mesh, self.obstacles, self.pairs = Mesh(core), Obstacles(core), Pairs(core)
-        self.friction, self.multipliers = FrictionSteps(core), Multipliers(core)
+        self.cohesive, self.friction, self.multipliers = CohesiveInterfaces(core), FrictionSteps(core), Multipliers(core)
         self.patches, self.pattern, self.ranks = Patches(core), Pattern(core), Ranks(core)
 
     @property

@@ -5,7 +5,14 @@ from __future__ import annotations
 from ctypes import byref
 from typing import Any, Optional, Union
 
-from ._constants import FMC_INTERFACE, FMC_LAW, FMC_PAIR_FRICTION_OF_CONTEXT, FMC_PAIR_LAW_OF_CONTEXT, FMC_PARTNER
+from ._constants import (
+    FMC_INTERFACE,
+    FMC_LAW,
+    FMC_PAIR_FRICTION_OF_CONTEXT,
+    FMC_PAIR_LAW_OF_CONTEXT,
+    FMC_PARTNER,
+    FMC_SOFTENING,
+)
 from ._core import Core
 from ._library import check, library
 from ._structs import fmc_pair_options, fmc_tie
@@ -16,6 +23,7 @@ Partner = Union[int, tuple[str, int]]
 ``Pair.a``."""
 
 _OF_LAW = ("stiffness", "exponent", "smoothing_length")
+_OF_COHESIVE = ("normal_strength", "shear_strength", "normal_energy", "shear_energy", "mixed_mode_exponent")
 
 
 def _named(partner: Partner) -> tuple[int, int]:
@@ -61,6 +69,12 @@ class Pairs:
         excluded: bool = False,
         interface: str = "contact",
         reach: float = 0.0,
+        normal_strength: float = 0.0,
+        shear_strength: float = 0.0,
+        normal_energy: float = 0.0,
+        shear_energy: float = 0.0,
+        mixed_mode_exponent: float = 0.0,
+        softening: str = "linear",
     ) -> None:
         """Gives a pair options of its own, in place of those it had.
 
@@ -74,7 +88,9 @@ class Pairs:
         law : str, optional
             Law of the pair, as in ``Options``. Default: the law of the contact, also after it changes.
         stiffness : float, optional
-            Stiffness of the pair. Alone, it goes with the law that the contact has now.
+            Stiffness of the pair. Alone, it goes with the law that the contact has now. Of a cohesive interface: the traction by
+            opening without damage, and in compression. By default so much that damage begins at a hundredth of the opening at which a
+            linear softening ends.
         exponent, smoothing_length : float, optional
             Of the laws ``"volume"`` and ``"fiber"``, as in ``Options``.
         friction_coefficient : float, optional
@@ -92,10 +108,20 @@ class Pairs:
             Whether the pair is not evaluated at all.
         interface : str
             ``"contact"``, or ``"tied"``: two bodies go together where their undeformed faces lie opposite each other, and are in no
-            contact anywhere. See ``tie``.
+            contact anywhere. See ``tie``. ``"cohesive"``: they are held together there until they break. See ``contact.cohesive``.
         reach : float
-            Of bodies that are tied: the largest gap or overlap between faces that belong together (length). A gap stays as it is.
-            0: a tenth of the larger facets.
+            Of bodies that are tied or held together: the largest gap or overlap between faces that belong together (length). A gap
+            stays as it is. 0: a tenth of the larger facets.
+        normal_strength, shear_strength : float
+            Of a cohesive interface: the tractions at which damage begins in pure opening and in pure sliding. That of sliding is by
+            default that of opening.
+        normal_energy, shear_energy : float
+            Energy by area that pure opening and pure sliding take until the interface is broken. That of sliding is by default that of
+            opening.
+        mixed_mode_exponent : float
+            Exponent, at least 1, by which the two are mixed (Benzeggagh and Kenane). 0: 2.
+        softening : str
+            How the traction falls: ``"linear"`` or ``"exponential"``.
 
         Raises
         ------
@@ -124,6 +150,12 @@ class Pairs:
         if interface not in interfaces:
             raise ValueError(f"option 'interface' has no value '{interface}', expected {' or '.join(interfaces)}")
         own.interface_kind, own.reach = interfaces[interface], float(reach)
+        softenings = {name: number for number, name in FMC_SOFTENING.items()}
+        if softening not in softenings:
+            raise ValueError(f"option 'softening' has no value '{softening}', expected {' or '.join(softenings)}")
+        own.softening, own.mixed_mode_exponent = softenings[softening], float(mixed_mode_exponent)
+        own.normal_strength, own.shear_strength = float(normal_strength), float(shear_strength)
+        own.normal_energy, own.shear_energy = float(normal_energy), float(shear_energy)
         own.static_coefficient, own.weakening_slip = float(static_coefficient), float(weakening_slip)
         if friction_coefficient is not None:
             own.friction_coefficient = float(friction_coefficient)
@@ -132,7 +164,7 @@ class Pairs:
             if law not in numbers:
                 raise ValueError(f"option 'law' has no value '{law}', expected {' or '.join(numbers)}")
             own.law = numbers[law]
-        elif stiffness is not None:
+        elif stiffness is not None and interface != "cohesive":
             own.law = self._core.options.law
             law_values = {key: getattr(self._core.options, key) if value is None else value for key, value in law_values.items()}
         for key, value in law_values.items():
@@ -194,9 +226,12 @@ class Pairs:
         options: dict[str, Any] = {"excluded": bool(found.excluded), "gap_offset": found.gap_offset}
         options["friction_coefficient"] = found.friction_coefficient if has_friction else None
         options.update(static_coefficient=found.static_coefficient, weakening_slip=found.weakening_slip)
-        options.update(interface=FMC_INTERFACE[found.interface_kind], reach=found.reach)
+        options.update(interface=FMC_INTERFACE[found.interface_kind], reach=found.reach, softening=FMC_SOFTENING[found.softening])
+        options.update({key: getattr(found, key) for key in _OF_COHESIVE})
         options["law"] = FMC_LAW[found.law] if has_law else None
         options.update({key: getattr(found, key) if has_law else None for key in _OF_LAW})
+        if options["interface"] == "cohesive":
+            options["stiffness"] = found.stiffness
         return options
 
     def tie(self, a: int, b: int) -> Tie:

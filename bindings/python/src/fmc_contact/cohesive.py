@@ -1,0 +1,224 @@
+"""Bodies that are held together by interfaces that break: what they are at some coordinates, and their damage."""
+
+from __future__ import annotations
+
+from ctypes import byref, c_size_t
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from ._arrays import coords_view, floats, shape_error, written
+from ._core import Core
+from ._library import library
+from ._structs import fmc_cohesive, fmc_cohesive_point
+from .errors import LengthError
+
+
+@dataclass(frozen=True)
+class CohesiveInterface:
+    """The cohesive interface of two bodies at some coordinates.
+
+    Attributes
+    ----------
+    area : float
+        All of it, in area without deformation (2D: length; with axisymmetry the area of whole rings). 0: there is none.
+    largest_gap : float
+        Largest gap or overlap that it keeps between the surfaces (length).
+    point_count : int
+        Number of points at which it opens and breaks.
+    stored : float
+        Energy that unloading would give back.
+    dissipated : float
+        Energy that has been dissipated since nothing was damaged.
+    damaged_area : float
+        Area of points that are damaged, broken ones among them.
+    broken_area : float
+        Area of points that are broken.
+
+    Examples
+    --------
+    >>> contact.cohesive.interface(0, 1, coords).area
+    0.0
+    """
+
+    area: float
+    largest_gap: float
+    point_count: int
+    stored: float
+    dissipated: float
+    damaged_area: float
+    broken_area: float
+
+
+@dataclass(frozen=True, eq=False)
+class CohesivePoints:
+    """The points of all cohesive interfaces, m rows, by pair of bodies.
+
+    Attributes
+    ----------
+    bodies : ndarray of int, (m, 2)
+        The pair in ``Result.bodies``, the lower one first.
+    position : ndarray, (m, dim)
+        Where the point is, on the first body.
+    area : ndarray, (m,)
+        Area that it stands for, without deformation.
+    opening : ndarray, (m,)
+        How far the bodies are apart beyond the gap at first, along the normal of the second (length). Negative where they are pressed.
+    sliding : ndarray, (m, dim)
+        How far the first body has slid along the surface of the second (length).
+    traction : ndarray, (m, dim)
+        Traction on the second body (force by area), along its outward normal where the bodies are pulled apart.
+    damage : ndarray, (m,)
+        0: whole, 1: broken, as it would be after a step that ends here.
+    dissipated : ndarray, (m,)
+        Energy by area that has been dissipated then.
+
+    Examples
+    --------
+    >>> contact.cohesive.points(coords).traction.shape
+    (0, 2)
+    """
+
+    bodies: np.ndarray
+    position: np.ndarray
+    area: np.ndarray
+    opening: np.ndarray
+    sliding: np.ndarray
+    traction: np.ndarray
+    damage: np.ndarray
+    dissipated: np.ndarray
+
+    def __len__(self) -> int:
+        return len(self.area)
+
+
+class CohesiveInterfaces:
+    """Interfaces that break, as ``pairs.set(a, b, interface="cohesive", ...)`` makes them.
+
+    Damage grows in every evaluation from what was accepted last, and is accepted by ``friction.commit_step``, after
+    ``friction.begin_step`` at the start. A step may be tried as often as you like.
+
+    Examples
+    --------
+    >>> len(contact.cohesive.points(coords))
+    0
+    """
+
+    def __init__(self, core: Core) -> None:
+        self._core = core
+
+    def interface(self, a: int, b: int, coords: ArrayLike) -> CohesiveInterface:
+        """The cohesive interface of two bodies at ``coords``.
+
+        Parameters
+        ----------
+        a, b : int
+            The bodies.
+        coords : array_like, (n, dim) or (dim, n)
+            Coordinates of all nodes.
+
+        Returns
+        -------
+        CohesiveInterface
+            Its area is 0 where the bodies have none.
+
+        Raises
+        ------
+        BodyOutOfRangeError
+            If there is no such body.
+        LengthError, NonFiniteCoordinateError
+            If the coordinates do not fit the mesh.
+        UntiedError
+            If other reference coordinates have left nothing of the interface.
+
+        Examples
+        --------
+        >>> contact.cohesive.interface(0, 1, coords).point_count
+        0
+        """
+        for body in (a, b):
+            if body < 0:
+                raise IndexError(f"no body {body}")
+        view, found = coords_view(coords, self._core.dim), fmc_cohesive()
+        with self._core.handle:
+            self._core.handle.call(library.fmc_context_cohesive, int(a), int(b), byref(view.struct), byref(found))
+        energies = (found.stored, found.dissipated, found.damaged_area, found.broken_area)
+        return CohesiveInterface(found.area, found.largest_gap, found.point_count, *energies)
+
+    def points(self, coords: ArrayLike) -> CohesivePoints:
+        """All points at which bodies are held together, by pair.
+
+        Parameters
+        ----------
+        coords : array_like, (n, dim) or (dim, n)
+            Coordinates of all nodes.
+
+        Returns
+        -------
+        CohesivePoints
+            A row for each point, in the order of ``damage``.
+
+        Raises
+        ------
+        LengthError, NonFiniteCoordinateError
+            If the coordinates do not fit the mesh.
+        UntiedError
+            As ``interface``.
+
+        Examples
+        --------
+        >>> len(contact.cohesive.points(coords))
+        0
+        """
+        view, dim = coords_view(coords, self._core.dim), self._core.dim
+        with self._core.handle:
+            found = self._core.handle.rows(fmc_cohesive_point, library.fmc_context_cohesive_points, byref(view.struct))
+        row = written(found, fmc_cohesive_point)
+        return CohesivePoints(
+            bodies=np.column_stack([row["body"], row["partner"]]),
+            position=row["position"][:, :dim].copy(),
+            area=row["area"].copy(),
+            opening=row["opening"].copy(),
+            sliding=row["sliding"][:, :dim].copy(),
+            traction=row["traction"][:, :dim].copy(),
+            damage=row["damage"].copy(),
+            dissipated=row["dissipated"].copy(),
+        )
+
+    @property
+    def damage(self) -> np.ndarray:
+        """What all points have been through in the steps that were accepted, in the order of ``points``, (m, 2).
+
+        Columns: damage, 0 to 1; energy by area that was dissipated. With the coordinates you need nothing else for a restart. Set it
+        also for an interface that is damaged at first: a damage of 1 is a crack.
+
+        Raises
+        ------
+        LengthError
+            If the shape is not (m, 2).
+        NotPositiveError
+            If a damage is outside 0 to 1, or an energy is negative. The damage stays as it was.
+        UntiedError
+            As ``interface``.
+
+        Examples
+        --------
+        >>> contact.cohesive.damage.shape
+        (0, 2)
+        >>> contact.cohesive.damage = np.zeros((0, 2))
+        """
+        count = c_size_t()
+        with self._core.handle:
+            self._core.handle.call(library.fmc_context_damage, None, 0, byref(count))
+            found = np.empty((count.value // 2, 2))
+            self._core.handle.call(library.fmc_context_damage, found, found.size, None)
+        return found
+
+    @damage.setter
+    def damage(self, damage: ArrayLike) -> None:
+        values = np.ascontiguousarray(floats(damage, "damage"))
+        if values.ndim != 2 or values.shape[1] != 2:
+            raise LengthError(str(shape_error("damage", values.shape, "(points, 2)")))
+        with self._core.handle:
+            self._core.handle.call(library.fmc_context_set_damage, values, values.size)

@@ -1,0 +1,118 @@
+"""Cohesive interfaces from Python: options, what is told of them, and damage that is kept."""
+
+import numpy as np
+import pytest
+from fmc_contact import Contact, FmcError
+from test_ranks import arrays, on_ranks
+
+COORDS = np.array([[0, 0], [2, 0], [2, 1], [0, 1], [0, 1], [1, 1], [2, 1], [0, 2], [1, 2], [2, 2]], float)
+CONN = np.array([[0, 1, 2, 3], [4, 5, 8, 7], [5, 6, 9, 8]])
+LAW = {"normal_strength": 2.0, "normal_energy": 0.1, "shear_strength": 3.0, "shear_energy": 0.4}
+
+
+def glued(**other):
+    contact = Contact(COORDS, CONN, "quad", bodies=[0, 1, 1], stiffness=1e3)
+    contact.pairs.set(0, 1, **{"interface": "cohesive", **LAW, **other})
+    contact.friction.begin_step(COORDS)
+    return contact
+
+
+def moved(x, y):
+    coords = COORDS.copy()
+    coords[4:] += [x, y]
+    return coords
+
+
+def test_options_come_back():
+    contact = glued(mixed_mode_exponent=1.5, stiffness=1e4, softening="exponential", reach=0.1)
+    options = contact.pairs.options(0, 1)
+    assert options["interface"] == "cohesive" and options["law"] is None and options["softening"] == "exponential"
+    assert (options["stiffness"], options["mixed_mode_exponent"], options["reach"]) == (1e4, 1.5, 0.1)
+    assert {key: options[key] for key in LAW} == LAW
+    # What is not said of sliding is that of opening.
+    contact.pairs.set(0, 1, interface="cohesive", normal_strength=2.0, normal_energy=0.1)
+    options = contact.pairs.options(0, 1)
+    assert (options["shear_strength"], options["shear_energy"], options["mixed_mode_exponent"]) == (2.0, 0.1, 2.0)
+    contact.pairs.set(0, 1, **{key: value for key, value in options.items() if value is not None})
+    assert contact.pairs.options(0, 1) == options
+
+
+@pytest.mark.parametrize(
+    "wrong",
+    [
+        {"normal_strength": 0.0},
+        {"normal_energy": -1.0},
+        {"mixed_mode_exponent": 0.5},
+        {"stiffness": 19.0},
+        {"law": "depth", "stiffness": 1e4},
+        {"gap_offset": -0.1},
+        {"softening": "sudden"},
+        {"interface": "tied"},
+        {"interface": "contact", "reach": 0.1},
+    ],
+)
+def test_what_is_no_such_interface_is_refused(wrong):
+    with pytest.raises((FmcError, ValueError)):
+        glued(**wrong)
+
+
+def test_sliding_follows_the_closed_form():
+    contact = glued()
+    # 50 σ²/G is the stiffness of opening; in sliding damage begins and ends where this triangle says.
+    stiffness = 50 * 2.0**2 / 0.1 * (0.1 / 0.4) * (3.0 / 2.0) ** 2
+    onset, end = 3.0 / stiffness, 2 * 0.4 / 3.0
+    for slid in (0.5 * onset, 0.05, 0.2, 1.1 * end):
+        expected = stiffness * slid if slid < onset else 3.0 * max(end - slid, 0.0) / (end - onset)
+        pull = -contact.evaluate(moved(slid, 0.0)).forces[4:].sum(0) / 2.0
+        assert pull == pytest.approx([expected, 0.0], abs=1e-10)
+        points = contact.cohesive.points(moved(slid, 0.0))
+        # The lower body has gone the other way, and pulls the upper one back.
+        assert np.allclose(points.sliding, [-slid, 0.0]) and np.allclose(points.traction, [-expected, 0.0], atol=1e-10)
+        assert np.allclose(points.opening, 0.0) and points.area.sum() == pytest.approx(2.0)
+        assert (points.bodies == [0, 1]).all() and np.allclose(points.position[:, 1], 1.0)
+    told = contact.cohesive.interface(1, 0, moved(1.1 * end, 0.0))
+    assert told.dissipated == pytest.approx(0.4 * 2.0, rel=1e-12) and told.broken_area == pytest.approx(2.0)
+    assert told.point_count == len(points) and told.largest_gap == 0.0
+
+
+def test_damage_is_accepted_and_kept_for_a_restart():
+    contact, other = glued(), glued()
+    contact.evaluate(moved(0.0, 0.05))
+    assert not contact.cohesive.damage.any()
+    contact.friction.commit_step(moved(0.01, 0.05))
+    damage = contact.cohesive.damage
+    assert (damage[:, 0] > 0.9).all() and damage.shape == (len(contact.cohesive.points(COORDS)), 2)
+    other.cohesive.damage = damage
+    for coords in (moved(0.0, 0.01), moved(0.02, 0.07)):
+        assert (contact.evaluate(coords).forces == other.evaluate(coords).forces).all()
+        assert contact.evaluate(coords).energy == other.evaluate(coords).energy
+    for wrong in (damage[:-1], damage.ravel(), damage + 1.0, -damage):
+        with pytest.raises(FmcError):
+            other.cohesive.damage = wrong
+    assert (other.cohesive.damage == damage).all()
+
+
+def test_bodies_without_one_are_told_so():
+    contact = Contact(COORDS, CONN, "quad", bodies=[0, 1, 1], stiffness=1e3)
+    assert contact.cohesive.interface(0, 1, COORDS).area == 0.0
+    assert len(contact.cohesive.points(COORDS)) == 0 and contact.cohesive.damage.shape == (0, 2)
+    with pytest.raises(IndexError):
+        contact.cohesive.interface(-1, 0, COORDS)
+
+
+@pytest.mark.parametrize("size", [2, 3])
+def test_every_rank_has_the_bits_of_one(size):
+    def found(comm=None):
+        contact = Contact(COORDS, CONN, "quad", bodies=[0, 1, 1], stiffness=1e3)
+        if comm is not None:
+            contact.ranks.set_communicator(comm)
+        contact.pairs.set(0, 1, interface="cohesive", **LAW)
+        contact.friction.begin_step(COORDS)
+        contact.friction.commit_step(moved(0.01, 0.03))
+        result, matrix = contact.evaluate_tangent(moved(0.02, 0.04))
+        return result.forces, result.energy, contact.cohesive.damage, *arrays(matrix)
+
+    alone = found()
+    assert alone[2].any() and alone[0].any()
+    for of_rank in on_ranks(size, found):
+        assert all(np.array_equal(one, other) for one, other in zip(of_rank, alone)), of_rank
