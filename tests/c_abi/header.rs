@@ -38,7 +38,7 @@ pub(crate) const SECTIONS: [Section; 20] = [
             "calls/obstacles/obstacle_list",
         ],
     ),
-    ("Options of single pairs", &["structs/partner", "calls/options/pair_options"]),
+    ("Options of single pairs", &["structs/partner", "calls/options/pair_interface", "calls/options/pair_options"]),
     (
         "Evaluate: forces and what belongs to them",
         &["structs/evaluation", "calls/evaluation/evaluate", "calls/results/getters"],
@@ -79,6 +79,8 @@ pub(crate) const SECTIONS: [Section; 20] = [
             "calls/results/ties",
             "structs/conductance",
             "calls/results/flux",
+            "structs/cohesive",
+            "calls/results/cohesive",
             "structs/boundary_facet",
             "calls/mesh/boundary_facets",
             "calls/mesh/point_weights",
@@ -86,7 +88,7 @@ pub(crate) const SECTIONS: [Section; 20] = [
             "calls/results/gradients",
         ],
     ),
-    ("Restart", &["calls/steps/slip", "calls/steps/multipliers"]),
+    ("Restart", &["calls/steps/slip", "calls/steps/damage", "calls/steps/multipliers"]),
     (
         "Ranks, and a mesh in parts",
         &[
