@@ -876,6 +876,28 @@ fmc_status fmc_context_remove_obstacle(fmc_context *context, size_t obstacle);
 // changes.
 #define FMC_PAIR_FRICTION_OF_CONTEXT -1
 
+// What happens between two bodies.
+typedef enum {
+  // They press and rub where they touch.
+  FMC_INTERFACE_CONTACT = 0,
+  // They go together where their faces face one another without deformation, within `reach` and up to an angle of 60 degrees; they are in
+  // no contact, neither there nor elsewhere. A gap or an overlap within reach is kept. Not with an obstacle, the law "volume", or a mesh
+  // in parts. See `fmc_context_tie`. Key value "tied".
+  FMC_INTERFACE_TIED = 1,
+  // They are held together where those that are tied would be, by an interface that opens, slides and breaks. They are in no contact:
+  // the interface carries compression without damage, also where it is broken, at the points that faced one another at first. See
+  // `fmc_context_cohesive`. Key value "cohesive".
+  FMC_INTERFACE_COHESIVE = 2,
+} fmc_interface;
+
+// How the traction of a cohesive interface falls as it opens.
+typedef enum {
+  // Along a straight line. Key value "linear".
+  FMC_SOFTENING_LINEAR = 0,
+  // Exponentially: it never quite ends. Key value "exponential".
+  FMC_SOFTENING_EXPONENTIAL = 1,
+} fmc_softening;
+
 // Options of one pair of partners, in place of the context's. `fmc_pair_options_init` sets all of them to what a pair
 // has without options of its own.
 //
@@ -2157,28 +2179,53 @@ typedef struct {
   uint64_t reserved[4];
 } fmc_tie_node;
 
-// Conductance h of a contact: flux by area and jump of the field, for heat W/(m^2 K). Tables are linear between their entries, and of the
-// length that is said.
-//
-// New fields take the place of reserved ones; the size of the struct does not change.
+// The cohesive interface of two bodies.
 typedef struct {
-  // Set by `fmc_conductance_init`, so that a struct that was not initialised is recognised.
+  // Size of this struct, as the library wrote it.
   size_t struct_size;
-  // Number of entries by pressure, where surfaces touch; 1 for a constant, 0 where nothing flows.
-  size_t pressure_count;
-  // Pressures, ascending, not negative. Before the first and beyond the last h stays as it is there.
-  const double *pressures;
-  // h at these pressures, not negative.
-  const double *by_pressure;
-  // Number of entries by gap, where surfaces are apart; 0 where nothing flows.
-  size_t gap_count;
-  // Gaps, ascending, not negative. Before the first h stays as it is there; beyond the last nothing flows.
-  const double *gaps;
-  // h at these gaps, not negative.
-  const double *by_gap;
-  // Zero. Room for what later versions know.
-  uint64_t reserved[8];
-} fmc_conductance;
+  // All of it, in area without deformation (2D: length; with axisymmetry the area of whole rings); 0: there is none.
+  double area;
+  // The largest gap, or overlap, that is kept between the surfaces, a length.
+  double largest_gap;
+  // Number of points at which it opens and breaks.
+  size_t point_count;
+  // Energy that unloading would give back.
+  double stored;
+  // Energy that has been dissipated since nothing was damaged.
+  double dissipated;
+  // Area of points that are damaged, broken ones among them.
+  double damaged_area;
+  // Area of points that are broken.
+  double broken_area;
+  // Zero.
+  uint64_t reserved[4];
+} fmc_cohesive;
+
+// A point of a cohesive interface.
+typedef struct {
+  // Size of this struct, as the library wrote it.
+  size_t struct_size;
+  // The bodies, indices for `fmc_context_body_resultant`, the lower one first.
+  size_t body;
+  // See `body`.
+  size_t partner;
+  // Where it is, on `body`; in 2D the last is 0.
+  double position[3];
+  // Area that it stands for, without deformation.
+  double area;
+  // How far the bodies are apart beyond the gap at first, along the normal of `partner`, a length; negative where they are pressed.
+  double opening;
+  // How far `body` has slid along the surface of `partner`, a length; in 2D the last is 0.
+  double sliding[3];
+  // Traction on `partner`, force by area, along its outward normal where the bodies are pulled apart; in 2D the last is 0.
+  double traction[3];
+  // Damage, 0 to 1, as it would be after a step that ends here.
+  double damage;
+  // Energy by area that has been dissipated then.
+  double dissipated;
+  // Zero.
+  uint64_t reserved[4];
+} fmc_cohesive_point;
 
 // A boundary facet: an edge in 2D, a triangle in 3D. A quadrilateral face is four of them, one on each of its edges. A face
 // of a cell of second order is divided first: an edge in two, a triangle or quadrilateral in four parts.
@@ -2369,66 +2416,29 @@ fmc_status fmc_context_tie_constraints(const fmc_context *context,
                                        size_t capacity,
                                        size_t *count);
 
-// Nothing conducts: no tables.
+// The cohesive interface of two bodies at `coords`, indices for `fmc_context_body_resultant`. It is set by
+// `fmc_context_set_pair_options`. Of bodies without one all numbers are zero.
 //
-// Errors: `FMC_ERROR_NULL_POINTER`. Threads: any, on different structs.
-fmc_status fmc_conductance_init(fmc_conductance *conductance);
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BODY_OUT_OF_RANGE`, `FMC_ERROR_LENGTH`, `FMC_ERROR_NON_FINITE_COORDINATE`;
+// `FMC_ERROR_UNTIED` where other reference coordinates have left nothing of the interface; `FMC_ERROR_BUSY`. Threads: one call at a time
+// on a context.
+fmc_status fmc_context_cohesive(fmc_context *context,
+                                size_t a,
+                                size_t b,
+                                const fmc_coords *coords,
+                                fmc_cohesive *cohesive);
 
-// What flows through the contact at `coords`, of heat or of charge: the integral of N h (T - T_other) dA out of every node, T being a field
-// and T_other that on the other side, which faces it. It is positive where heat leaves the node, and its sum over all nodes and obstacles is
-// zero. Pressure, of which h depends, is that of the law. Bodies that are tied conduct where they are tied. With axisymmetry dA is that of
-// rings.
+// All points of cohesive interfaces at `coords`, by pair, in the order of `fmc_context_damage`.
 //
-// `fields` has `field_count` fields, one after the other, with a value for every row of `coords`, and `flux` room for as many; `of_obstacles`
-// has as many fields, with a value for every obstacle, removed ones included, and `obstacle_flux` room for them. NULL for `of_obstacles`:
-// nothing flows into obstacles; `obstacle_flux` may be NULL, too. With `field_count` 0 the matrix alone is found, which stays for
-// `fmc_context_flux_matrix`.
+// `count` becomes their number; `rows` has room for `capacity`. NULL with capacity 0: the number alone is asked for.
 //
-// Errors: as `fmc_context_evaluate`, but for friction; `FMC_ERROR_STRUCT_SIZE`, `FMC_ERROR_RESERVED_FIELD`; `FMC_ERROR_NOT_POSITIVE` for an
-// entry of a field or table that is not finite, a negative entry of a table, or places that do not ascend; `FMC_ERROR_UNSUPPORTED` for a mesh
-// in parts; `FMC_ERROR_UNTIED` as `fmc_context_tie`. Nothing is written then. Threads: one call at a time on a context.
-fmc_status fmc_context_flux(fmc_context *context,
-                            const fmc_coords *coords,
-                            const fmc_conductance *conductance,
-                            size_t field_count,
-                            const double *fields,
-                            const double *of_obstacles,
-                            double *flux,
-                            double *obstacle_flux);
-
-// The derivative of the flux by the field at the last `fmc_context_flux`, the same for every field, in compressed rows: symmetric, positive
-// semidefinite, and independent of the field. Rows and columns are nodes, then obstacles. The entries of row r are those from
-// `row_offsets[r]` to `row_offsets[r + 1]`, in ascending order of their columns. Offsets and columns count from the option `index_base`.
-//
-// `offset_count` becomes the number of offsets, one more than there are rows, and `count` that of entries. `row_offsets` has room for
-// `offset_capacity`, `cols` and `values` for `capacity`. An array that is NULL with capacity 0 is not written: its number alone is
-// asked for.
-//
-// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_LENGTH` where a number does not fit into the context's
-// numbers, `FMC_ERROR_BUSY`; nothing is written then. Threads: several at once on one context, as long as no call changes it.
-fmc_status fmc_context_flux_matrix(const fmc_context *context,
-                                   void *row_offsets,
-                                   size_t offset_capacity,
-                                   size_t *offset_count,
-                                   void *cols,
-                                   double *values,
-                                   size_t capacity,
-                                   size_t *count);
-
-// The energy that friction has dissipated since the step began, as heat at nodes and obstacles: its sum is that of the pairs. Divided by the
-// time of the step it is a power. With cells of second order some nodes may have a negative part.
-//
-// `effusivities`: one for every body, then one for every obstacle, removed ones included, not negative. Each side of a pair takes a part of the
-// heat by its effusivity, the square root of conductivity times density times heat capacity; with 0 it takes nothing. NULL: halves.
-// `heat` has room for a number for every row of `coords`, `obstacle_heat` for every obstacle; it may be NULL.
-//
-// Errors: as `fmc_context_evaluate`; `FMC_ERROR_NOT_POSITIVE` for an effusivity that is negative or not finite; `FMC_ERROR_UNSUPPORTED` for a
-// mesh in parts. Nothing is written then. Threads: one call at a time on a context.
-fmc_status fmc_context_friction_heat(fmc_context *context,
-                                     const fmc_coords *coords,
-                                     const double *effusivities,
-                                     double *heat,
-                                     double *obstacle_heat);
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_LENGTH`, `FMC_ERROR_NON_FINITE_COORDINATE`,
+// `FMC_ERROR_UNTIED` as `fmc_context_cohesive`, `FMC_ERROR_BUSY`. Threads: one call at a time on a context.
+fmc_status fmc_context_cohesive_points(fmc_context *context,
+                                       const fmc_coords *coords,
+                                       fmc_cohesive_point *rows,
+                                       size_t capacity,
+                                       size_t *count);
 
 // The boundary facets in the order in which `fmc_context_slip` has them, body after body.
 //
@@ -2527,6 +2537,28 @@ fmc_status fmc_context_slip(const fmc_context *context,
 fmc_status fmc_context_set_slip(fmc_context *context,
                                 const double *slip,
                                 size_t count);
+
+// What all points of cohesive interfaces have been through in the steps that were accepted (`fmc_context_commit_step`), in the order of
+// `fmc_context_cohesive_points`: two numbers for each, its damage, 0 to 1, and the energy by area that it has dissipated. With the
+// coordinates it is all that a restart needs of them.
+//
+// `count` becomes how many numbers there are; `damage` has room for `capacity`. NULL with capacity 0: that alone is asked for.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_UNTIED` as `fmc_context_cohesive`, `FMC_ERROR_BUSY`; nothing
+// is written then. Threads: several at once on one context, as long as no call changes it.
+fmc_status fmc_context_damage(const fmc_context *context,
+                              double *damage,
+                              size_t capacity,
+                              size_t *count);
+
+// Sets it: `count` numbers, as `fmc_context_damage` writes them, for a restart, or where an interface is damaged at first. A damage of 1 is a
+// crack.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_LENGTH` for another number of them, `FMC_ERROR_NOT_POSITIVE` for a damage outside 0 to 1 or a
+// negative energy, `FMC_ERROR_UNTIED`, `FMC_ERROR_BUSY`; the old damage then stays. Threads: one call at a time on a context.
+fmc_status fmc_context_set_damage(fmc_context *context,
+                                  const double *damage,
+                                  size_t count);
 
 // The multipliers, ascending by node and partner: with the coordinates all that a restart needs, or a load step that is tried
 // again.

@@ -138,6 +138,11 @@ module fmc_contact_c
   integer(c_int32_t), parameter :: FMC_SHAPE_HEIGHT_FIELD = 8
   integer(c_int32_t), parameter :: FMC_SHAPE_COMPOUND = 9
   integer(c_int32_t), parameter :: FMC_SHAPE_SIGNED_DISTANCE = 10
+  integer(c_int32_t), parameter :: FMC_INTERFACE_CONTACT = 0
+  integer(c_int32_t), parameter :: FMC_INTERFACE_TIED = 1
+  integer(c_int32_t), parameter :: FMC_INTERFACE_COHESIVE = 2
+  integer(c_int32_t), parameter :: FMC_SOFTENING_LINEAR = 0
+  integer(c_int32_t), parameter :: FMC_SOFTENING_EXPONENTIAL = 1
   integer(c_int32_t), parameter :: FMC_PARTNER_BODY = 0
   integer(c_int32_t), parameter :: FMC_PARTNER_OBSTACLE = 1
   integer(c_int32_t), parameter :: FMC_WARNING_COARSE_FIBERS = 1
@@ -547,15 +552,30 @@ module fmc_contact_c
     integer(c_int64_t) :: reserved(4)
   end type
 
-  type, bind(c) :: fmc_conductance
+  type, bind(c) :: fmc_cohesive
     integer(c_size_t) :: struct_size
-    integer(c_size_t) :: pressure_count
-    type(c_ptr) :: pressures
-    type(c_ptr) :: by_pressure
-    integer(c_size_t) :: gap_count
-    type(c_ptr) :: gaps
-    type(c_ptr) :: by_gap
-    integer(c_int64_t) :: reserved(8)
+    real(c_double) :: area
+    real(c_double) :: largest_gap
+    integer(c_size_t) :: point_count
+    real(c_double) :: stored
+    real(c_double) :: dissipated
+    real(c_double) :: damaged_area
+    real(c_double) :: broken_area
+    integer(c_int64_t) :: reserved(4)
+  end type
+
+  type, bind(c) :: fmc_cohesive_point
+    integer(c_size_t) :: struct_size
+    integer(c_size_t) :: body
+    integer(c_size_t) :: partner
+    real(c_double) :: position(3)
+    real(c_double) :: area
+    real(c_double) :: opening
+    real(c_double) :: sliding(3)
+    real(c_double) :: traction(3)
+    real(c_double) :: damage
+    real(c_double) :: dissipated
+    integer(c_int64_t) :: reserved(4)
   end type
 
   type, bind(c) :: fmc_boundary_facet
@@ -1320,45 +1340,23 @@ module fmc_contact_c
       integer(c_size_t), intent(inout), optional :: count
       integer(c_int32_t) :: fmc_context_tie_constraints
     end function
-    function fmc_conductance_init(conductance) bind(c)
+    function fmc_context_cohesive(context, a, b, coords, cohesive) bind(c)
       import
-      type(fmc_conductance), intent(inout), optional :: conductance
-      integer(c_int32_t) :: fmc_conductance_init
+      type(c_ptr), value :: context
+      integer(c_size_t), value :: a
+      integer(c_size_t), value :: b
+      type(fmc_coords), intent(in), optional :: coords
+      type(fmc_cohesive), intent(inout), optional :: cohesive
+      integer(c_int32_t) :: fmc_context_cohesive
     end function
-    function fmc_context_flux(context, coords, conductance, field_count, fields, of_obstacles, &
-        flux, obstacle_flux) bind(c)
+    function fmc_context_cohesive_points(context, coords, rows, capacity, count) bind(c)
       import
       type(c_ptr), value :: context
       type(fmc_coords), intent(in), optional :: coords
-      type(fmc_conductance), intent(in), optional :: conductance
-      integer(c_size_t), value :: field_count
-      real(c_double), intent(in), optional :: fields(*)
-      real(c_double), intent(in), optional :: of_obstacles(*)
-      real(c_double), intent(inout), optional :: flux(*)
-      real(c_double), intent(inout), optional :: obstacle_flux(*)
-      integer(c_int32_t) :: fmc_context_flux
-    end function
-    function fmc_context_flux_matrix(context, row_offsets, offset_capacity, offset_count, cols, &
-        values, capacity, count) bind(c)
-      import
-      type(c_ptr), value :: context
-      type(*), intent(inout), optional :: row_offsets(*)
-      integer(c_size_t), value :: offset_capacity
-      integer(c_size_t), intent(inout), optional :: offset_count
-      type(*), intent(inout), optional :: cols(*)
-      real(c_double), intent(inout), optional :: values(*)
+      type(fmc_cohesive_point), intent(inout), optional :: rows(*)
       integer(c_size_t), value :: capacity
       integer(c_size_t), intent(inout), optional :: count
-      integer(c_int32_t) :: fmc_context_flux_matrix
-    end function
-    function fmc_context_friction_heat(context, coords, effusivities, heat, obstacle_heat) bind(c)
-      import
-      type(c_ptr), value :: context
-      type(fmc_coords), intent(in), optional :: coords
-      real(c_double), intent(in), optional :: effusivities(*)
-      real(c_double), intent(inout), optional :: heat(*)
-      real(c_double), intent(inout), optional :: obstacle_heat(*)
-      integer(c_int32_t) :: fmc_context_friction_heat
+      integer(c_int32_t) :: fmc_context_cohesive_points
     end function
     function fmc_context_boundary_facets(context, facets, capacity, count) bind(c)
       import
@@ -1413,6 +1411,21 @@ module fmc_contact_c
       real(c_double), intent(in), optional :: slip(*)
       integer(c_size_t), value :: count
       integer(c_int32_t) :: fmc_context_set_slip
+    end function
+    function fmc_context_damage(context, damage, capacity, count) bind(c)
+      import
+      type(c_ptr), value :: context
+      real(c_double), intent(inout), optional :: damage(*)
+      integer(c_size_t), value :: capacity
+      integer(c_size_t), intent(inout), optional :: count
+      integer(c_int32_t) :: fmc_context_damage
+    end function
+    function fmc_context_set_damage(context, damage, count) bind(c)
+      import
+      type(c_ptr), value :: context
+      real(c_double), intent(in), optional :: damage(*)
+      integer(c_size_t), value :: count
+      integer(c_int32_t) :: fmc_context_set_damage
     end function
     function fmc_context_multipliers(context, rows, capacity, count) bind(c)
       import

@@ -133,6 +133,11 @@ pub const FMC_SHAPE_CONVEX_HULL: i32 = 7;
 pub const FMC_SHAPE_HEIGHT_FIELD: i32 = 8;
 pub const FMC_SHAPE_COMPOUND: i32 = 9;
 pub const FMC_SHAPE_SIGNED_DISTANCE: i32 = 10;
+pub const FMC_INTERFACE_CONTACT: i32 = 0;
+pub const FMC_INTERFACE_TIED: i32 = 1;
+pub const FMC_INTERFACE_COHESIVE: i32 = 2;
+pub const FMC_SOFTENING_LINEAR: i32 = 0;
+pub const FMC_SOFTENING_EXPONENTIAL: i32 = 1;
 pub const FMC_PARTNER_BODY: i32 = 0;
 pub const FMC_PARTNER_OBSTACLE: i32 = 1;
 pub const FMC_WARNING_COARSE_FIBERS: i32 = 1;
@@ -631,15 +636,32 @@ pub struct fmc_tie_node {
 
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct fmc_conductance {
+pub struct fmc_cohesive {
     pub struct_size: usize,
-    pub pressure_count: usize,
-    pub pressures: *const f64,
-    pub by_pressure: *const f64,
-    pub gap_count: usize,
-    pub gaps: *const f64,
-    pub by_gap: *const f64,
-    pub reserved: [u64; 8],
+    pub area: f64,
+    pub largest_gap: f64,
+    pub point_count: usize,
+    pub stored: f64,
+    pub dissipated: f64,
+    pub damaged_area: f64,
+    pub broken_area: f64,
+    pub reserved: [u64; 4],
+}
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct fmc_cohesive_point {
+    pub struct_size: usize,
+    pub body: usize,
+    pub partner: usize,
+    pub position: [f64; 3],
+    pub area: f64,
+    pub opening: f64,
+    pub sliding: [f64; 3],
+    pub traction: [f64; 3],
+    pub damage: f64,
+    pub dissipated: f64,
+    pub reserved: [u64; 4],
 }
 
 #[repr(C)]
@@ -843,16 +865,16 @@ unsafe extern "C" {
     pub fn fmc_context_tie(context: *const fmc_context, a: usize, b: usize, tie: *mut fmc_tie) -> fmc_status;
     pub fn fmc_context_tie_nodes(context: *mut fmc_context, coords: *const fmc_coords, rows: *mut fmc_tie_node, capacity: usize, count: *mut usize) -> fmc_status;
     pub fn fmc_context_tie_constraints(context: *const fmc_context, row_offsets: *mut c_void, offset_capacity: usize, offset_count: *mut usize, cols: *mut c_void, values: *mut f64, capacity: usize, count: *mut usize) -> fmc_status;
-    pub fn fmc_conductance_init(conductance: *mut fmc_conductance) -> fmc_status;
-    pub fn fmc_context_flux(context: *mut fmc_context, coords: *const fmc_coords, conductance: *const fmc_conductance, field_count: usize, fields: *const f64, of_obstacles: *const f64, flux: *mut f64, obstacle_flux: *mut f64) -> fmc_status;
-    pub fn fmc_context_flux_matrix(context: *const fmc_context, row_offsets: *mut c_void, offset_capacity: usize, offset_count: *mut usize, cols: *mut c_void, values: *mut f64, capacity: usize, count: *mut usize) -> fmc_status;
-    pub fn fmc_context_friction_heat(context: *mut fmc_context, coords: *const fmc_coords, effusivities: *const f64, heat: *mut f64, obstacle_heat: *mut f64) -> fmc_status;
+    pub fn fmc_context_cohesive(context: *mut fmc_context, a: usize, b: usize, coords: *const fmc_coords, cohesive: *mut fmc_cohesive) -> fmc_status;
+    pub fn fmc_context_cohesive_points(context: *mut fmc_context, coords: *const fmc_coords, rows: *mut fmc_cohesive_point, capacity: usize, count: *mut usize) -> fmc_status;
     pub fn fmc_context_boundary_facets(context: *const fmc_context, facets: *mut fmc_boundary_facet, capacity: usize, count: *mut usize) -> fmc_status;
     pub fn fmc_context_point_weights(context: *const fmc_context, row_offsets: *mut c_void, offset_capacity: usize, offset_count: *mut usize, nodes: *mut c_void, weights: *mut f64, capacity: usize, count: *mut usize) -> fmc_status;
     pub fn fmc_gradients_init(gradients: *mut fmc_gradients) -> fmc_status;
     pub fn fmc_context_vjp(context: *mut fmc_context, coords: *const fmc_coords, energy: f64, adjoint: *const fmc_coords, gradients: *const fmc_gradients, pairs: *mut fmc_pair_gradient, capacity: usize, count: *mut usize) -> fmc_status;
     pub fn fmc_context_slip(context: *const fmc_context, slip: *mut f64, capacity: usize, count: *mut usize) -> fmc_status;
     pub fn fmc_context_set_slip(context: *mut fmc_context, slip: *const f64, count: usize) -> fmc_status;
+    pub fn fmc_context_damage(context: *const fmc_context, damage: *mut f64, capacity: usize, count: *mut usize) -> fmc_status;
+    pub fn fmc_context_set_damage(context: *mut fmc_context, damage: *const f64, count: usize) -> fmc_status;
     pub fn fmc_context_multipliers(context: *const fmc_context, rows: *mut fmc_multiplier, capacity: usize, count: *mut usize) -> fmc_status;
     pub fn fmc_context_set_multipliers(context: *mut fmc_context, rows: *const fmc_multiplier, count: usize) -> fmc_status;
     pub fn fmc_communicator_init(communicator: *mut fmc_communicator) -> fmc_status;

@@ -133,6 +133,11 @@ FMC_SHAPE_CONVEX_HULL = 7
 FMC_SHAPE_HEIGHT_FIELD = 8
 FMC_SHAPE_COMPOUND = 9
 FMC_SHAPE_SIGNED_DISTANCE = 10
+FMC_INTERFACE_CONTACT = 0
+FMC_INTERFACE_TIED = 1
+FMC_INTERFACE_COHESIVE = 2
+FMC_SOFTENING_LINEAR = 0
+FMC_SOFTENING_EXPONENTIAL = 1
 FMC_PARTNER_BODY = 0
 FMC_PARTNER_OBSTACLE = 1
 FMC_WARNING_COARSE_FIBERS = 1
@@ -285,6 +290,10 @@ FMC_SHAPE_KIND: dict[int, str] = {
     9: "compound",
     10: "signed_distance",
 }
+
+FMC_INTERFACE: dict[int, str] = {0: "contact", 1: "tied", 2: "cohesive"}
+
+FMC_SOFTENING: dict[int, str] = {0: "linear", 1: "exponential"}
 
 FMC_PARTNER: dict[int, str] = {0: "body", 1: "obstacle"}
 

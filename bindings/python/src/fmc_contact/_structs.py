@@ -483,16 +483,33 @@ class fmc_tie_node(Structure):
     ]
 
 
-class fmc_conductance(Structure):
+class fmc_cohesive(Structure):
     _fields_ = [
         ("struct_size", c_size_t),
-        ("pressure_count", c_size_t),
-        ("pressures", c_void_p),
-        ("by_pressure", c_void_p),
-        ("gap_count", c_size_t),
-        ("gaps", c_void_p),
-        ("by_gap", c_void_p),
-        ("reserved", c_uint64 * 8),
+        ("area", c_double),
+        ("largest_gap", c_double),
+        ("point_count", c_size_t),
+        ("stored", c_double),
+        ("dissipated", c_double),
+        ("damaged_area", c_double),
+        ("broken_area", c_double),
+        ("reserved", c_uint64 * 4),
+    ]
+
+
+class fmc_cohesive_point(Structure):
+    _fields_ = [
+        ("struct_size", c_size_t),
+        ("body", c_size_t),
+        ("partner", c_size_t),
+        ("position", c_double * 3),
+        ("area", c_double),
+        ("opening", c_double),
+        ("sliding", c_double * 3),
+        ("traction", c_double * 3),
+        ("damage", c_double),
+        ("dissipated", c_double),
+        ("reserved", c_uint64 * 4),
     ]
 
 
