@@ -1,0 +1,99 @@
+"""Cohesive interfaces in equilibrium: a body that one alone holds, and a crack that runs through a double cantilever beam."""
+
+import numpy as np
+import pytest
+from fmc_contact import NoSupportError, NotConvergedError, find_equilibrium
+from fmc_contact_skfem import SkfemContact
+from scipy.sparse import block_diag
+from skfem import Basis, ElementQuad1, ElementQuad2, ElementVector, FacetBasis, LinearForm, MeshQuad
+from skfem.models.elasticity import lame_parameters, linear_elasticity
+
+LAME, SHEAR = lame_parameters(1.0, 0.3)
+
+
+class Glued:
+    """Two layers of height 1, one on the other, glued, and the matrix of both."""
+
+    def __init__(self, length, counts, elements, **law):
+        bases = []
+        for low, count, element in zip((-1.0, 0.0), counts, elements):
+            mesh = MeshQuad.init_tensor(np.linspace(0, length, count + 1), np.linspace(low, low + 1, 3))
+            bases.append(Basis(mesh, ElementVector(element()), intorder=5))
+        self.bases = list(zip(bases, (0, bases[0].N)))
+        self.matrix = block_diag([linear_elasticity(LAME, SHEAR).assemble(basis) for basis in bases], format="csr")
+        self.contact = SkfemContact(self.bases, stiffness=1.0)
+        self.pair = self.contact.contact
+        self.pair.pairs.set(0, 1, interface="cohesive", **law)
+        self.load, self.free = np.zeros(self.matrix.shape[0]), np.ones(self.matrix.shape[0], bool)
+        self.u = np.zeros(len(self.load))
+
+    def dofs(self, body, where):
+        basis, first = self.bases[body]
+        return first + np.flatnonzero(where(basis.doflocs))
+
+    def step(self, prescribed=None, two_level=None):
+        """To the equilibrium, whose damage is accepted."""
+        if not self.pair.cohesive.damage[:, 1].any() and not self.u.any():
+            self.pair.friction.begin_step(self.contact.coords(self.u))
+
+        def bodies(u):
+            return self.matrix @ u - self.load, self.matrix
+
+        found = find_equilibrium(bodies, self.contact, self.u, self.free, prescribed, two_level=two_level)
+        self.u = found.x
+        self.pair.friction.commit_step(self.contact.coords(self.u))
+        return found
+
+
+@pytest.mark.parametrize("two_level", [True, False])
+def test_an_interface_holds_a_body_until_it_breaks(two_level):
+    # A strength of 1e-3: pulled by a half of it, the upper layer opens by the strain of the interface, and stretches.
+    glued = Glued(1.0, (2, 3), (ElementQuad1, ElementQuad2), normal_strength=1e-3, normal_energy=1e-6)
+    glued.free[glued.dofs(0, lambda x: x[1] < -1 + 1e-9)] = False
+    upper, first = glued.bases[1]
+    top = FacetBasis(upper.mesh, upper.elem, facets=upper.mesh.facets_satisfying(lambda x: x[1] > 1 - 1e-9), intorder=5)
+    glued.load[first:] = LinearForm(lambda v, w: 5e-4 * v[1]).assemble(top)
+    found = glued.step(two_level=two_level)
+    points = glued.pair.cohesive.points(glued.contact.coords(found.x))
+    # Held at its lower face the lower layer does not contract there: tractions are uneven, and their sum is the load.
+    assert (points.area * points.traction[:, 1]).sum() == pytest.approx(-5e-4, rel=1e-7)
+    assert points.opening == pytest.approx(1e-5, rel=0.2) and not points.damage.any() and found.updates == 0
+    # What is more than the strength breaks it: no equilibrium is left.
+    glued.load[first:] *= 3
+    with pytest.raises((NoSupportError, NotConvergedError)):
+        glued.step(two_level=two_level)
+    assert not glued.pair.cohesive.damage.any()
+
+
+def test_a_double_cantilever_beam_follows_corrected_beam_theory():
+    # Beams of height 1 with a crack of length 4; its zone of E' G/σ² to the power of 1/4 has four cells.
+    energy, stiffness = 1e-6, 1 / (1 - 0.3**2)
+    glued = Glued(10.0, (40, 50), (ElementQuad2, ElementQuad2), normal_strength=1e-3, normal_energy=energy)
+    for body in (0, 1):
+        glued.free[glued.dofs(body, lambda x: x[0] > 10 - 1e-9)] = False
+    lower = glued.dofs(0, lambda x: (x[0] < 1e-9) & (x[1] < -1 + 1e-9))[1]
+    upper = glued.dofs(1, lambda x: (x[0] < 1e-9) & (x[1] > 1 - 1e-9))[1]
+    glued.free[[lower, upper]] = False
+    damage = glued.pair.cohesive.damage
+    position = glued.pair.cohesive.points(glued.contact.coords(glued.u)).position
+    damage[position[:, 0] < 4, 0] = 1.0
+    glued.pair.cohesive.damage = damage
+    told = []
+    for end in (0.03, 0.05, 0.06, 0.065, 0.07, 0.075):
+        prescribed = np.zeros(len(glued.u))
+        prescribed[lower], prescribed[upper] = -end / 2, end / 2
+        found = glued.step(prescribed, two_level=False)
+        coords = glued.contact.coords(found.x)
+        load = (glued.matrix @ found.x - glued.contact.force(found.x))[upper]
+        interface = glued.pair.cohesive.interface(0, 1, coords)
+        told.append((end, load, interface.dissipated))
+        if end >= 0.06:
+            # G = 12 P² a²/(E' h³) and end = 8 P a³/(E' h³), whatever is added to the length a for the root.
+            theory = (energy * stiffness / 12) ** 0.75 * (8 / (end * stiffness)) ** 0.5
+            assert load == pytest.approx(theory, rel=0.02)
+    # From one end to the next, what is dissipated is the work less the change of the energy P end/2 of beams. The zone that runs along
+    # with the crack, and the trapezoid of the work, are of the size of 3 %.
+    for (end, load, lost), (next_end, next_load, next_lost) in zip(told[2:], told[3:]):
+        work = 0.5 * (load + next_load) * (next_end - end)
+        stored = 0.5 * (next_load * next_end - load * end)
+        assert next_lost - lost == pytest.approx(work - stored, rel=0.05)
