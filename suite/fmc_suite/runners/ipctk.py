@@ -1,0 +1,126 @@
+"""The IPC Toolkit with the suite's own elastic bodies as the host: Newton's method on the energy with the barrier, collision-free steps,
+and the area-weighted (convergent) formulation that its tutorial advises. Bodies begin
+apart."""
+
+from __future__ import annotations
+
+import ipctk
+import numpy as np
+from scipy.sparse import coo_matrix, csc_matrix, csr_matrix, identity
+from scipy.sparse.linalg import splu
+
+from .. import elastic
+from . import common
+
+ITERATIONS = 200
+PART, SMALL = 1e-3, 1e-6
+"""dhat by the diagonal of all bodies: the default of Li et al. (2020), and a smaller one."""
+
+
+class _Barrier:
+    """Energy, gradient and Hessian of the barrier on the unknowns of the model."""
+
+    def __init__(self, model: common.Model, points: np.ndarray, dhat: float, stiffness: float) -> None:
+        facets = np.concatenate([one for pair in model.pairs for one in pair])
+        self.nodes = np.unique(facets)
+        local = np.searchsorted(self.nodes, facets).astype(np.int32)
+        rest = np.asfortranarray(points[self.nodes])
+        if model.dim == 2:
+            self.mesh = ipctk.CollisionMesh(rest, np.asfortranarray(local))
+        else:
+            faces = np.asfortranarray(np.concatenate([local[:, [0, 1, 2]], local[:, [0, 2, 3]]]))
+            self.mesh = ipctk.CollisionMesh(rest, ipctk.edges(faces), faces)
+        self.rest, self.dim, self.size = rest, model.dim, model.points.size
+        self.unknowns = (self.nodes[:, None] * model.dim + np.arange(model.dim)).ravel()
+        self.dhat, self.potential = dhat, ipctk.BarrierPotential(dhat, stiffness, True)
+
+    def at(self, u: np.ndarray) -> np.ndarray:
+        return np.asfortranarray(self.rest + u.reshape(-1, self.dim)[self.nodes])
+
+    def _collisions(self, u: np.ndarray) -> tuple[ipctk.NormalCollisions, np.ndarray]:
+        found, places = ipctk.NormalCollisions(), self.at(u)
+        found.use_area_weighting = True
+        found.collision_set_type = ipctk.NormalCollisions.IMPROVED_MAX_APPROX
+        found.build(self.mesh, places, self.dhat)
+        return found, places
+
+    def energy(self, u: np.ndarray) -> float:
+        found, places = self._collisions(u)
+        return float(self.potential(found, self.mesh, places))
+
+    def derivatives(self, u: np.ndarray) -> tuple[np.ndarray, csr_matrix]:
+        found, places = self._collisions(u)
+        gradient = np.zeros(self.size)
+        gradient[self.unknowns] = self.potential.gradient(found, self.mesh, places)
+        local = coo_matrix(self.potential.hessian(found, self.mesh, places, ipctk.PSDProjectionMethod.CLAMP))
+        rows, cols = self.unknowns[local.row], self.unknowns[local.col]
+        return gradient, csr_matrix((local.data, (rows, cols)), shape=(self.size, self.size))
+
+    def longest(self, u: np.ndarray, step: np.ndarray) -> float:
+        """Part of a step that is free of collisions."""
+        return float(ipctk.compute_collision_free_stepsize(self.mesh, self.at(u), self.at(u + step)))
+
+
+def solve(model: common.Model, variant: str) -> tuple[np.ndarray, int]:
+    if model.tied:
+        raise common.NotSupported("no ties")
+    if model.friction:
+        raise common.NotSupported("this runner has no friction yet; the toolkit has")
+    if model.overlaps:
+        raise common.NotSupported("bodies overlap at the start, and a barrier knows no overlap")
+    ipctk.set_num_threads(1)
+    young = float(model.materials[:, 0].min())
+    dhat = (SMALL if variant == "small dhat" else PART) * float(np.linalg.norm(np.ptp(model.points, axis=0)))
+    barrier, apart = _apart(model, dhat, young)
+    bodies = zip(model.cells, model.materials)
+    matrix = csr_matrix(sum(elastic.stiffness(model.points, cells, *material) for cells, material in bodies))
+    free, u, found, iterations = np.flatnonzero(~model.fixed.ravel()), np.zeros(model.points.size), [], 0
+    for prescribed, loads in zip(model.prescribed, model.loads):
+        goal = np.where(model.fixed, prescribed - apart, 0.0).ravel()
+        u, done = _newton(matrix, loads.ravel(), u, goal, free, barrier)
+        iterations += done
+        found.append(u.reshape(model.points.shape) + apart)
+    return np.array(found), iterations
+
+
+def _apart(model: common.Model, dhat: float, young: float) -> tuple[_Barrier, np.ndarray]:
+    """Bodies moved along the last axis, each by half of ``dhat`` more than the one below it: a barrier knows no touch."""
+    heights = [model.points[a:b, -1].mean() for a, b in zip(model.firsts, model.firsts[1:])]
+    apart = np.zeros_like(model.points)
+    for place, number in enumerate(np.argsort(heights)):
+        apart[model.firsts[number] : model.firsts[number + 1], -1] = place * dhat / 2
+    return _Barrier(model, model.points + apart, dhat, young), apart
+
+
+def _newton(matrix: csr_matrix, load: np.ndarray, u: np.ndarray, goal: np.ndarray, free: np.ndarray, barrier: _Barrier) -> tuple[np.ndarray, int]:
+    """To the goal of held unknowns by steps that are free of collisions, then down the energy."""
+    held = np.setdiff1d(np.arange(len(u)), free)
+    reached, weak = False, 1e-10 * identity(len(u), format="csr") * matrix.diagonal().mean()
+    for iteration in range(1, ITERATIONS + 1):
+        gradient, hessian = barrier.derivatives(u)
+        whole = matrix + hessian + weak
+        step = np.zeros_like(u)
+        step[held] = (goal - u)[held]
+        right = load - matrix @ u - gradient - whole @ step
+        step[free] = splu(csc_matrix(whole[free][:, free])).solve(right[free])
+        reached = reached or not np.abs(step[held]).any()
+        if reached and np.abs(step).max() < 1e-8 * barrier.dhat + 1e-9 * np.abs(u).max():
+            return u, iteration
+        part = barrier.longest(u, step)
+        part = 1.0 if part >= 1.0 else 0.9 * part
+        if reached:
+            now = _energy(matrix, load, u, barrier)
+            while part > 1e-8 and _energy(matrix, load, u + part * step, barrier) > now + 1e-12 * abs(now):
+                part /= 2
+        elif part == 1.0:
+            reached = True
+        u = u + part * step
+    raise common.Failed(f"no equilibrium in {ITERATIONS} iterations")
+
+
+def _energy(matrix: csr_matrix, load: np.ndarray, u: np.ndarray, barrier: _Barrier) -> float:
+    return float(0.5 * u @ (matrix @ u) - load @ u + barrier.energy(u))
+
+
+if __name__ == "__main__":
+    common.main(solve)
