@@ -42,6 +42,7 @@ hosts: host-environment
 	$(RUN_HOSTS) $(SUITE_OF) "FEniCSx" $(HOSTS)/bin/python -m pytest -q hosts/dolfinx
 	$(RUN_HOSTS) $(SUITE_OF) "PETSc" $(HOSTS)/bin/python -m pytest -q hosts/petsc
 	$(RUN_GETFEM) $(SUITE_OF) "GetFEM" $(HOSTS)/bin/python -m pytest -q hosts/getfem
+	$(RUN_HOSTS) $(SUITE_OF) "problems with known answers" $(HOSTS)/bin/python -m pytest -q -p no:cacheprovider suite
 	$(RUN_HOSTS) $(SUITE_OF) "agreement of the hosts" $(HOSTS)/bin/python -m pytest -q benchmarks/agreement
 
 # One stiffness of contact, k h / E, after the other; a million unknowns take some 6 GB, and on one core up to half an hour each.

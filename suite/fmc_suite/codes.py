@@ -30,6 +30,7 @@ CODES = {
             "smooth surfaces": "the same with `set_surface_smoothing(30.0)`",
         },
     ),
+    "fmc_getfem": Code("fmc-contact in GetFEM", "SUITE_PYTHON_GETFEM", {"default": "`GetfemContact(model, variables)` and `find_equilibrium`"}),
     "getfem": Code(
         "GetFEM",
         "SUITE_PYTHON_GETFEM",

@@ -60,12 +60,21 @@ def _displacement(problem: Problem, all_u: np.ndarray, step: int) -> float:
     return float(all_u[step, nodes, grids.AXES.index(raw["axis"])].mean())
 
 
+def _radial_displacement(problem: Problem, all_u: np.ndarray, step: int) -> float:
+    """Mean over a round side about the origin."""
+    nodes = problem.nodes(problem.raw["figure"]["body"], problem.raw["figure"]["side"])
+    outward = problem.points[nodes] / np.linalg.norm(problem.points[nodes], axis=1)[:, None]
+    return float((all_u[step, nodes] * outward).sum(axis=1).mean())
+
+
 def _stress_error(problem: Problem, all_u: np.ndarray, step: int) -> float:
-    """Largest difference of the stress along the last axis from the given one, at all places of all cells, by that stress."""
+    """Largest difference of the stress along the last axis, or along ``row`` and ``column``, from the given one at all places of all cells, by
+    that stress."""
     wanted, worst = problem.raw["figure"]["stress"], 0.0
+    row, column = problem.raw["figure"].get("row", -1), problem.raw["figure"].get("column", -1)
     for body, raw, first in zip(problem.bodies, problem.raw["bodies"], problem.firsts):
         u = all_u[step, first : first + len(body.points)]
-        found = elastic.stress(body.points, body.cells, raw["young"], raw["poisson"], u)[..., -1, -1]
+        found = elastic.stress(body.points, body.cells, raw["young"], raw["poisson"], u)[..., row, column]
         worst = max(worst, float(np.abs(found / wanted - 1).max()))
     return worst
 
@@ -111,6 +120,7 @@ FIGURES = {
     "held_force": _held_force,
     "ratio": _ratio,
     "displacement": _displacement,
+    "radial_displacement": _radial_displacement,
     "stress_error": _stress_error,
     "radial_pressure": _radial_pressure,
     "peak": _peak,

@@ -66,7 +66,11 @@ class Problem:
         return np.asarray(self.bodies[body].sides[side] + self.firsts[body])
 
     def nodes(self, body: int, side: str) -> np.ndarray:
-        return np.unique(self.facets(body, side))
+        """Points of a side, or those that two sides share: ``x-&y-``."""
+        first, *others = [np.unique(self.facets(body, one)) for one in side.split("&")]
+        for other in others:
+            first = np.intersect1d(first, other)
+        return first
 
     @cached_property
     def pairs(self) -> list[tuple[np.ndarray, np.ndarray]]:
@@ -102,7 +106,7 @@ class Problem:
         """Forces on the points at the ends of the load steps, (steps, n, dim)."""
         found = np.zeros((len(self.steps), *self.points.shape))
         for one in self.raw.get("loads", []):
-            load = self._traction(one) if "traction" in one else self._equal(one)
+            load = self._equal(one) if "force" in one else self._traction(one)
             for step, part in enumerate(self._parts(one)):
                 found[step] += part * load
         return found
@@ -117,11 +121,16 @@ class Problem:
         return np.array([grids.AXES.index(axis) for axis in one["axes"]])
 
     def _traction(self, one: dict[str, Any]) -> np.ndarray:
-        """A uniform traction: every facet gives equal shares to its corners, which is exact for facets of parallel sides."""
+        """A uniform traction, or a pressure on edges: every facet gives equal shares to its corners, which is exact if its sides are parallel."""
         found, facets = np.zeros_like(self.points), self.facets(one["body"], one["side"])
+        if "pressure" in one:
+            along = self.points[facets[:, 1]] - self.points[facets[:, 0]]
+            forces = -one["pressure"] * np.stack([along[:, 1], -along[:, 0]], 1)
+        else:
+            forces = areas(self.points, facets)[:, None] * np.array(one["traction"])
         for corner in facets.T:
-            np.add.at(found, corner, areas(self.points, facets)[:, None] / facets.shape[1] * np.array(one["traction"]))
-        return found
+            np.add.at(found, corner, forces / facets.shape[1])
+        return np.where(self.fixed, 0.0, found)
 
     def _equal(self, one: dict[str, Any]) -> np.ndarray:
         """A force in equal parts on all points of a side."""

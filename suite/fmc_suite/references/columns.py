@@ -10,6 +10,11 @@ def plane(young: float, poisson: float) -> float:
     return young / (1 - poisson**2)
 
 
+def confined_force(approach: float, width: float, height: float, young: float, poisson: float) -> float:
+    """That presses a block which can widen nowhere: uniaxial strain."""
+    return width * approach / height * young * (1 - poisson) / ((1 + poisson) * (1 - 2 * poisson))
+
+
 def displacement(pressure: float, heights: Sequence[float], youngs: Sequence[float], poisson: float, gaps: float = 0.0) -> float:
     """Of the top of a column along its axis: −p Σ h / E' and the gaps that have closed."""
     return -gaps - pressure * sum(height / plane(young, poisson) for height, young in zip(heights, youngs))

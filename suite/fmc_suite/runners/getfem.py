@@ -12,7 +12,7 @@ from . import common
 ITERATIONS, SUNK = 100, 1e-5
 
 
-class _Body:
+class Body:
     """A mesh of GetFEM with its displacement ``u0``, ``u1``, ... on it."""
 
     def __init__(self, model: common.Model, number: int, brick: Any, degree: int) -> None:
@@ -59,7 +59,7 @@ class _Body:
         return np.asarray(values[self.rows][self.order].ravel())
 
 
-def _add_contact(model: common.Model, bodies: list[_Body], brick: Any, number: int, uses_rays: bool) -> None:
+def _add_contact(model: common.Model, bodies: list[Body], brick: Any, number: int, uses_rays: bool) -> None:
     slave, master = model.pairs[number]
     one, two = bodies[model.body_of(slave)], bodies[model.body_of(master)]
     at, on = one.region(slave - one.rows.start), two.region(master - two.rows.start)
@@ -95,7 +95,7 @@ def solve(model: common.Model, variant: str) -> tuple[np.ndarray, int]:
     brick.add_initialized_data("friction", [model.friction])
     brick.add_initialized_data("rate", [1.0])
     degree = 3 if variant == "default" else 13
-    bodies = [_Body(model, number, brick, degree) for number in range(len(model.cells))]
+    bodies = [Body(model, number, brick, degree) for number in range(len(model.cells))]
     for body in bodies:
         for axis in range(model.dim):
             held = body.moved(model.fixed)[axis :: model.dim]
@@ -129,7 +129,7 @@ def solve(model: common.Model, variant: str) -> tuple[np.ndarray, int]:
     return np.array(found), iterations
 
 
-def _hold(brick: Any, body: _Body, axis: int, held: np.ndarray) -> None:
+def _hold(brick: Any, body: Body, axis: int, held: np.ndarray) -> None:
     """Displacements along an axis by multipliers, one for each held unknown."""
     rows = np.flatnonzero(held)
     matrix = gf.Spmat("empty", len(rows), body.space.nbdof())
@@ -142,7 +142,7 @@ def _hold(brick: Any, body: _Body, axis: int, held: np.ndarray) -> None:
     body.held.append((axis, held))
 
 
-def _sink(model: common.Model, bodies: list[_Body], brick: Any) -> None:
+def _sink(model: common.Model, bodies: list[Body], brick: Any) -> None:
     """Bodies that contact alone holds begin a little in the one below them; without this GetFEM finds no equilibrium."""
     down, height = np.zeros_like(model.points), np.ptp(model.points[:, -1])
     order = sorted(bodies, key=lambda body: float(body.points[:, -1].mean()))

@@ -1,0 +1,109 @@
+"""Every closed form is checked once by another way: integrals of influence functions, differences, or a balance of forces."""
+
+import numpy as np
+import pytest
+from fmc_suite.problem import Problem, names
+from fmc_suite.references import columns, friction, indentation, rings
+
+YOUNG, POISSON = 1000.0, 0.3
+
+
+def slopes(pressure, half_width, modulus):
+    """Slopes of both surfaces together at points within a strip of pressure: -2 / (pi E*) PV integral p(s) / (x - s) ds. With
+    s = a sin t the singular ends vanish; the principal value is symmetric about x on a grid shifted by half a cell."""
+    count = 200_000
+    angles = (np.arange(count) + 0.5) * np.pi / count - np.pi / 2
+    loads = pressure(half_width * np.sin(angles)) * half_width * np.cos(angles) * np.pi / count
+    at = np.arange(30_000, 170_001, 20_000)
+    places = half_width * np.sin(at * np.pi / count - np.pi / 2)
+    return places, np.array([-2 / (np.pi * modulus) * (loads / (x - half_width * np.sin(angles))).sum() for x in places])
+
+
+def test_the_line_of_hertz_lies_flat():
+    """The surfaces meet: their slopes are -x / R, and the pressure sums up to the force."""
+    force, radius, modulus = 0.8, 500.0, indentation.pair_modulus(YOUNG, POISSON)
+    peak = indentation.line_peak(force, radius, YOUNG, POISSON)
+    half_width = 2 * force / (np.pi * peak)
+    places, found = slopes(lambda s: peak * np.sqrt(1 - (s / half_width) ** 2), half_width, modulus)
+    assert np.abs(found + places / radius).max() < 1e-4 * half_width / radius
+
+
+def test_the_surface_below_a_flat_punch_is_flat():
+    """The slopes vanish against p / E*, and the mean over the whole width is the force by the width."""
+    force, modulus = 0.2, indentation.pair_modulus(YOUNG, POISSON)
+    _, found = slopes(lambda s: force / (np.pi * np.sqrt(1 - s**2)), 1.0, modulus)
+    assert np.abs(found).max() < 1e-4 * force / modulus
+    assert indentation.punch_mean(force, 1.0, 1.0) == pytest.approx(force / 2)
+    places = np.linspace(-0.3, 0.3, 100_001)
+    mean = np.mean(force / (np.pi * np.sqrt(1 - places**2)))
+    assert indentation.punch_mean(force, 1.0, 0.3) == pytest.approx(mean, rel=1e-4)
+
+
+def test_the_ball_of_hertz_fits():
+    """By Boussinesq: at the centre the pressure moves the surfaces by pi p0 a / (2 E*), at the edge by half of that; the difference is
+    a^2 / (2 R), and the pressure sums up to 2/3 p0 pi a^2. Both integrals are taken by rings here."""
+    force, radius, modulus = 1.44, 500.0, indentation.pair_modulus(YOUNG, POISSON)
+    peak = indentation.ball_peak(force, radius, YOUNG, POISSON)
+    a = np.sqrt(3 * force / (2 * np.pi * peak))
+    # About a point at the rim: the chord at an angle has the length 2 a cos(angle); p along it is peak sqrt(r (2 a cos - r)) / a.
+    angles = (np.arange(4000) + 0.5) * np.pi / 4000 - np.pi / 2
+    lengths, parts = 2 * a * np.cos(angles), (np.arange(4000) + 0.5) / 4000
+    along = np.sqrt(np.maximum(parts * (1 - parts), 0)).mean()
+    rim = (peak * lengths**2 / a * along).sum() * np.pi / 4000 / (np.pi * modulus)
+    centre = 2 * np.pi * peak * a * np.sqrt(1 - parts**2).mean() / (np.pi * modulus)
+    assert centre - rim == pytest.approx(a**2 / (2 * radius), rel=1e-4)
+
+
+def test_a_press_fit_by_differences():
+    """u'' + u'/r - u/r^2 = 0 in both rings by finite differences, a jump of u at the fit and one pressure there."""
+    inner, middle, outer, interference, cells = 1.0, 1.5, 2.5, 1.5e-3, 2000
+    lame, shear = YOUNG * POISSON / ((1 + POISSON) * (1 - 2 * POISSON)), YOUNG / (2 * (1 + POISSON))
+
+    def give(low, high, pressed):
+        """Displacement of the pressed side by a pressure of 1."""
+        r, h = np.linspace(low, high, cells + 1), (high - low) / cells
+        matrix, right = np.zeros((cells + 1, 3)), np.zeros(cells + 1)
+        matrix[1:-1] = np.stack([1 / h**2 - 1 / (2 * h * r[1:-1]), -2 / h**2 - 1 / r[1:-1] ** 2, 1 / h**2 + 1 / (2 * h * r[1:-1])], 1)
+        dense = np.zeros((cells + 1, cells + 1))
+        for row in range(1, cells):
+            dense[row, row - 1 : row + 2] = matrix[row]
+        for row, sign in ((0, 1), (cells, -1)):
+            for place, weight in enumerate((-1.5, 2.0, -0.5)):
+                dense[row, row + sign * place] += sign * (lame + 2 * shear) * weight / h
+            dense[row, row] += lame / r[row]
+        right[0 if pressed == "inner" else cells] = -1.0
+        u = np.linalg.solve(dense, right)
+        return u[0] if pressed == "inner" else u[-1]
+
+    found = interference / (give(middle, outer, "inner") - give(inner, middle, "outer"))
+    assert rings.press_fit(inner, middle, outer, interference, YOUNG, POISSON) == pytest.approx(found, rel=1e-4)
+
+
+@pytest.mark.parametrize("coefficient", [0.0, 0.1, 0.3])
+def test_the_push_up_a_slope_balances(coefficient):
+    """Forces along the slope and across it: the friction is μ times the normal force."""
+    tangent = 0.1
+    push, angle = friction.slope(coefficient, tangent), np.arctan(tangent)
+    normal = np.cos(angle) + push * np.sin(angle)
+    assert push * np.cos(angle) - np.sin(angle) == pytest.approx(coefficient * normal)
+
+
+def test_columns_in_plane_strain():
+    """Hooke's law with no strain across and no stress at the sides: the strain along the column is s (1 - ν²) / E."""
+    stress = -1.0
+    across = POISSON * stress
+    strain = (stress - POISSON * across) / YOUNG
+    assert columns.displacement(1.0, [1.0, 1.0], [YOUNG, YOUNG], POISSON) == pytest.approx(2 * strain)
+    assert columns.force(-2 * strain, 1.0, [1.0, 1.0], [YOUNG, YOUNG], POISSON) == pytest.approx(1.0)
+
+
+@pytest.mark.parametrize("name", names())
+def test_every_problem_says_what_it_compares(name):
+    problem = Problem.load(name)
+    raw = problem.raw
+    assert raw["title"] and raw["figure"]["name"] and raw["reference"]["source"] and raw["reference"]["bound"] >= 0
+    assert np.isfinite(problem.reference)
+    arrays = problem.arrays()
+    assert arrays["fixed"].any() and (problem.loads.any() or problem.prescribed.any() or raw["contact"].get("overlaps"))
+    # No load acts where a displacement is prescribed, so that figures need no reactions.
+    assert not (problem.loads[:, problem.fixed]).any()
