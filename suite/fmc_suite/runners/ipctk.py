@@ -1,6 +1,6 @@
 """The IPC Toolkit with the suite's own elastic bodies as the host: Newton's method on the energy with the barrier, collision-free steps,
-and the area-weighted (convergent) formulation that its tutorial advises. Bodies begin
-apart."""
+and the area-weighted (convergent) formulation that its tutorial advises. Friction is lagged until it changes no more, with a slip of dhat for
+full friction. Bodies begin apart."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from scipy.sparse.linalg import splu
 from .. import elastic
 from . import common
 
-ITERATIONS = 200
+ITERATIONS, LAGS = 200, 50
 PART, SMALL = 1e-3, 1e-6
 """dhat by the diagonal of all bodies: the default of Li et al. (2020), and a smaller one."""
 
@@ -33,6 +33,7 @@ class _Barrier:
         self.rest, self.dim, self.size = rest, model.dim, model.points.size
         self.unknowns = (self.nodes[:, None] * model.dim + np.arange(model.dim)).ravel()
         self.dhat, self.potential = dhat, ipctk.BarrierPotential(dhat, stiffness, True)
+        self.slip, self.slides, self.begun = ipctk.FrictionPotential(dhat), ipctk.TangentialCollisions(), rest
 
     def at(self, u: np.ndarray) -> np.ndarray:
         return np.asfortranarray(self.rest + u.reshape(-1, self.dim)[self.nodes])
@@ -44,15 +45,25 @@ class _Barrier:
         found.build(self.mesh, places, self.dhat)
         return found, places
 
+    def lag(self, u: np.ndarray, begun: np.ndarray, friction: float) -> None:
+        """Friction by the normal forces at a displacement, and by the slip since the begin of the step."""
+        found, places = self._collisions(u)
+        self.slides, self.begun = ipctk.TangentialCollisions(), self.at(begun)
+        if friction:
+            self.slides.build(self.mesh, places, found, self.potential, friction)
+
     def energy(self, u: np.ndarray) -> float:
         found, places = self._collisions(u)
-        return float(self.potential(found, self.mesh, places))
+        slip = self.slip(self.slides, self.mesh, np.asfortranarray(places - self.begun))
+        return float(self.potential(found, self.mesh, places) + slip)
 
     def derivatives(self, u: np.ndarray) -> tuple[np.ndarray, csr_matrix]:
         found, places = self._collisions(u)
         gradient = np.zeros(self.size)
-        gradient[self.unknowns] = self.potential.gradient(found, self.mesh, places)
-        local = coo_matrix(self.potential.hessian(found, self.mesh, places, ipctk.PSDProjectionMethod.CLAMP))
+        moved = np.asfortranarray(places - self.begun)
+        gradient[self.unknowns] = self.potential.gradient(found, self.mesh, places) + self.slip.gradient(self.slides, self.mesh, moved)
+        local = self.potential.hessian(found, self.mesh, places, ipctk.PSDProjectionMethod.CLAMP)
+        local = coo_matrix(local + self.slip.hessian(self.slides, self.mesh, moved, ipctk.PSDProjectionMethod.CLAMP))
         rows, cols = self.unknowns[local.row], self.unknowns[local.col]
         return gradient, csr_matrix((local.data, (rows, cols)), shape=(self.size, self.size))
 
@@ -64,8 +75,6 @@ class _Barrier:
 def solve(model: common.Model, variant: str) -> tuple[np.ndarray, int]:
     if model.tied:
         raise common.NotSupported("no ties")
-    if model.friction:
-        raise common.NotSupported("this runner has no friction yet; the toolkit has")
     if model.overlaps:
         raise common.NotSupported("bodies overlap at the start, and a barrier knows no overlap")
     ipctk.set_num_threads(1)
@@ -77,8 +86,16 @@ def solve(model: common.Model, variant: str) -> tuple[np.ndarray, int]:
     free, u, found, iterations = np.flatnonzero(~model.fixed.ravel()), np.zeros(model.points.size), [], 0
     for prescribed, loads in zip(model.prescribed, model.loads):
         goal = np.where(model.fixed, prescribed - apart, 0.0).ravel()
-        u, done = _newton(matrix, loads.ravel(), u, goal, free, barrier)
-        iterations += done
+        begun = u
+        for lag in range(LAGS):
+            before = u
+            barrier.lag(u, begun, model.friction)
+            u, done = _newton(matrix, loads.ravel(), u, goal, free, barrier)
+            iterations += done
+            if not model.friction or np.abs(u - before).max() < 1e-5 * max(np.abs(u).max(), 1e-2 * dhat):
+                break
+        else:
+            raise common.Failed(f"normal forces of friction still change after {LAGS} lags in step {len(found) + 1}")
         found.append(u.reshape(model.points.shape) + apart)
     return np.array(found), iterations
 
