@@ -61,7 +61,7 @@ def _table(words: argparse.Namespace) -> None:
     words.out.mkdir(parents=True, exist_ok=True)
     found = table.results(words.out)
     (words.out / "table.md").write_text(table.text(found))
-    (words.out / "errors.md").write_text(table.errors(found))
+    (words.out / "results.md").write_text(table.page(found))
 
 
 def _page(words: argparse.Namespace) -> None:

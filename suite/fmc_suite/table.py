@@ -108,3 +108,15 @@ def summary(found: Results) -> str:
                 seconds = sum(cell.get("cpu", 0.0) for cell in cells)
                 rows.append(f"| {one.title} | {variant} | " + " | ".join(map(str, counts)) + f" | {seconds:.0f} |")
     return "\n".join(rows) + "\n"
+
+
+LEAD = """# Results
+
+Errors by the answer; after a stroke that of the best other variant, where it is better. [README](README.md) says what is compared, and how. The
+command writes this page, and a table with iterations, CPU and memory beside it.
+"""
+
+
+def page(found: Results) -> str:
+    """The short table and the summary, as a page."""
+    return "\n".join([LEAD, errors(found), summary(found)])

@@ -66,5 +66,6 @@ def test_facets_look_outwards(name):
         else:
             normals = np.cross(corner[:, 2] - corner[:, 0], corner[:, 3] - corner[:, 1]) / 2
         volume = elastic.gradients(body.points, body.cells)[1].sum()
+        assert volume > 0
         assert np.abs(normals.sum(axis=0)).max() < 1e-9 * np.abs(normals).sum()
         assert (corner.mean(axis=1) * normals).sum() / problem.dim == pytest.approx(volume, rel=1e-2)

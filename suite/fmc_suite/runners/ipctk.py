@@ -83,7 +83,8 @@ def solve(model: common.Model, variant: str) -> tuple[np.ndarray, int]:
     barrier, apart = _apart(model, dhat, young)
     bodies = zip(model.cells, model.materials)
     matrix = csr_matrix(sum(elastic.stiffness(model.points, cells, *material) for cells, material in bodies))
-    free, u, found, iterations = np.flatnonzero(~model.fixed.ravel()), np.zeros(model.points.size), [], 0
+    free, u, iterations = np.flatnonzero(~model.fixed.ravel()), np.zeros(model.points.size), 0
+    found: list[np.ndarray] = []
     for prescribed, loads in zip(model.prescribed, model.loads):
         goal = np.where(model.fixed, prescribed - apart, 0.0).ravel()
         begun = u
@@ -101,12 +102,30 @@ def solve(model: common.Model, variant: str) -> tuple[np.ndarray, int]:
 
 
 def _apart(model: common.Model, dhat: float, young: float) -> tuple[_Barrier, np.ndarray]:
-    """Bodies moved along the last axis, each by half of ``dhat`` more than the one below it: a barrier knows no touch."""
-    heights = [model.points[a:b, -1].mean() for a, b in zip(model.firsts, model.firsts[1:])]
-    apart = np.zeros_like(model.points)
-    for place, number in enumerate(np.argsort(heights)):
-        apart[model.firsts[number] : model.firsts[number + 1], -1] = place * dhat / 2
+    """Bodies moved apart along the mean normals of their pairs by half of ``dhat``: a barrier knows no touch."""
+    apart, done, left = np.zeros_like(model.points), {0}, list(model.pairs)
+    while left:
+        known = [pair for pair in left if done & {model.body_of(side) for side in pair}]
+        slave, master = known[0]
+        left = [pair for pair in left if pair[0] is not slave]
+        one, two = model.body_of(slave), model.body_of(master)
+        if {one, two} <= done:
+            continue
+        normal = _normal(model.points[slave])
+        here, there, sign = (one, two, 1) if one in done else (two, one, -1)
+        apart[model.firsts[there] : model.firsts[there + 1]] = apart[model.firsts[here]] + sign * dhat / 2 * normal
+        done |= {one, two}
     return _Barrier(model, model.points + apart, dhat, young), apart
+
+
+def _normal(corner: np.ndarray) -> np.ndarray:
+    """Mean outward normal of facets, (facets, corners, dim)."""
+    if corner.shape[2] == 2:
+        along = corner[:, 1] - corner[:, 0]
+        total = np.stack([along[:, 1], -along[:, 0]], 1).sum(axis=0)
+    else:
+        total = np.cross(corner[:, 2] - corner[:, 0], corner[:, 3] - corner[:, 1]).sum(axis=0)
+    return np.asarray(total / np.linalg.norm(total))
 
 
 def _newton(matrix: csr_matrix, load: np.ndarray, u: np.ndarray, goal: np.ndarray, free: np.ndarray, barrier: _Barrier) -> tuple[np.ndarray, int]:
