@@ -46,16 +46,17 @@ def best(found: Results, name: str) -> set[tuple[str, str, str]]:
     return {key for key, one in sizes.items() if one == least < float("inf")}
 
 
-def percent(error: float) -> str:
-    """An error in percent with two digits."""
-    return "0 %" if abs(error) < 5e-8 else f"{100 * error:.2g} %"
+def percent(cell: Cell) -> str:
+    """The error of a cell in percent with two digits, marked if the code warned."""
+    error, mark = cell["error"], " (warns)" if cell["message"] else ""
+    return f"0 %{mark}" if abs(error) < 5e-8 else f"{100 * error:.2g} %{mark}"
 
 
 def brief(cell: Cell) -> str:
     """A cell in words."""
     if cell["status"] != "ok":
         return str(cell["status"])
-    return f"{percent(cell['error'])}, {cell['iterations']} it., {cell['cpu']:.1f} s, {cell['memory']:.0f} MB"
+    return f"{percent(cell)}, {cell['iterations']} it., {cell['cpu']:.1f} s, {cell['memory']:.0f} MB"
 
 
 def text(found: Results) -> str:
@@ -90,8 +91,8 @@ def _short(found: Results, name: str, code: str) -> str:
     if not cells:
         return "–"
     first, least = cells[0], min(cells, key=lambda cell: size(cell, 0.0))
-    words = percent(first["error"]) if first["status"] == "ok" else first["status"]
-    return f"{words} / {percent(least['error'])}" if size(least, 0.0) < size(first, 0.0) else words
+    words = percent(first) if first["status"] == "ok" else first["status"]
+    return f"{words} / {percent(least)}" if size(least, 0.0) < size(first, 0.0) else words
 
 
 def summary(found: Results) -> str:

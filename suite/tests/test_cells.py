@@ -28,7 +28,7 @@ def test_a_cell_that_takes_too_long_has_failed(tmp_path):
 
 def test_the_pages_show_every_status(tmp_path):
     cells = [
-        {"status": "ok", "error": 2e-3, "iterations": 3, "cpu": 1.0, "memory": 50.0},
+        {"status": "ok", "error": 2e-3, "iterations": 3, "cpu": 1.0, "memory": 50.0, "message": ""},
         {"status": "failed", "message": "no equilibrium <here>"},
         {"status": "not supported", "message": "no ties"},
     ]

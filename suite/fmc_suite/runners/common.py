@@ -29,6 +29,8 @@ class Model:
         self.symmetry, self.materials = arrays["symmetry"], arrays["materials"]
         self.friction, self.tied, self.overlaps = float(arrays["friction"]), bool(arrays["tied"]), bool(arrays["overlaps"])
         self.dim = self.points.shape[1]
+        self.warnings: list[str] = []
+        """What a code warned of, for the readers of the table."""
         self.cells = [arrays[f"cells_{number}"] for number in range(len(self.materials))]
         count = sum(name.startswith("slave_") for name in arrays)
         self.pairs = [(arrays[f"slave_{number}"], arrays[f"master_{number}"]) for number in range(count)]
@@ -68,7 +70,7 @@ def main(solve: Solve) -> None:
         if not np.isfinite(displacements).all():
             raise Failed("displacements that are not finite")
         np.save(out + ".npy", displacements)
-        found["iterations"] = iterations
+        found.update(iterations=iterations, message="; ".join(model.warnings))
     except NotSupported as error:
         found.update(status="not supported", message=str(error))
     except Exception as error:

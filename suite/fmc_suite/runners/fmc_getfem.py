@@ -37,6 +37,7 @@ def solve(model: common.Model, variant: str) -> tuple[np.ndarray, int]:
             contact.begin_step()
         step = find_equilibrium(contact, held=held, prescribed=goal)
         iterations += step.iterations
+        model.warnings += [*step.warnings, *(one.text for one in step.result.warnings)]
         if model.friction:
             contact.commit_step()
         moved = np.zeros_like(model.points)

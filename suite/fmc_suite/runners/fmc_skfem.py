@@ -56,6 +56,7 @@ def solve(model: common.Model, variant: str) -> tuple[np.ndarray, int]:
             contact.begin_step(u)
         step = find_equilibrium(partial(_residual, matrix, load), contact, u, free, goal)
         u, iterations = step.x, iterations + step.iterations
+        model.warnings += [*step.warnings, *(one.text for one in step.result.warnings)]
         if model.friction:
             contact.commit_step(u)
         found.append(u[at])

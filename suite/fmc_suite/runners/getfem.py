@@ -150,7 +150,8 @@ def _sink(model: common.Model, bodies: list[Body], brick: Any) -> None:
         if model.tied or model.fixed[body.rows, -1].any():
             continue
         top = (model.points + down)[below.rows, -1].max()
-        down[body.rows, -1] = top - body.points[:, -1].min() - SUNK * height
+        gap = max(0.0, body.points[:, -1].min() - top)
+        down[body.rows, -1] = -gap - SUNK * height
         brick.set_variable(body.name, body.moved(down))
 
 
