@@ -51,7 +51,7 @@ def _overview(found: table.Results, shown: list[str]) -> str:
 def _mark(cell: table.Cell | None, is_least: bool) -> str:
     if cell is None:
         return "<td>–"
-    words = table.percent(cell) if cell["status"] == "ok" else cell["status"]
+    words = escape(table.percent(cell)) if cell["status"] == "ok" else cell["status"]
     return f'<td class="{table.grade(cell)}{" least" if is_least else ""}" title="{escape(cell.get("message", ""))}">{words}'
 
 

@@ -48,8 +48,10 @@ def best(found: Results, name: str) -> set[tuple[str, str, str]]:
 
 def percent(cell: Cell) -> str:
     """The error of a cell in percent with two digits, marked if the code warned."""
-    error, mark = cell["error"], " (warns)" if cell["message"] else ""
-    return f"0 %{mark}" if abs(error) < 5e-8 else f"{100 * error:.2g} %{mark}"
+    error, mark = 100 * cell["error"], " (warns)" if cell["message"] else ""
+    if abs(error) < 1e-4:
+        return f"<0.0001 %{mark}"
+    return f"{error:.0f} %{mark}" if abs(error) >= 10 else f"{error:.2g} %{mark}"
 
 
 def brief(cell: Cell) -> str:

@@ -4,6 +4,8 @@ import numpy as np
 import pytest
 from fmc_suite.problem import Problem, names
 from fmc_suite.references import columns, friction, indentation, rings
+from skfem import Basis, ElementQuad2, ElementTriP2, ElementVector, FacetBasis, LinearForm, MeshQuad, MeshTri, condense, solve
+from skfem.models.elasticity import lame_parameters, linear_elasticity
 
 YOUNG, POISSON = 1000.0, 0.3
 
@@ -79,7 +81,41 @@ def test_a_press_fit_by_differences():
     assert rings.press_fit(inner, middle, outer, interference, YOUNG, POISSON) == pytest.approx(found, rel=1e-4)
 
 
-@pytest.mark.parametrize("coefficient", [0.0, 0.1, 0.3])
+def test_a_ring_pressed_from_outside_by_differences():
+    """The stress of the displacement is the pressure at every radius, none at the inner side; and it is in balance."""
+    pressure, inner, outer, step = 10.0, 1.0, 2.5, 1e-4
+    lame, shear = YOUNG * POISSON / ((1 + POISSON) * (1 - 2 * POISSON)), YOUNG / (2 * (1 + POISSON))
+    u = lambda r: rings.outside_displacement(pressure, inner, outer, r, YOUNG, POISSON)
+    stretch = lambda r: (u(r + step) - u(r - step)) / (2 * step)
+    along = lambda r: (lame + 2 * shear) * stretch(r) + lame * u(r) / r
+    around = lambda r: (lame + 2 * shear) * u(r) / r + lame * stretch(r)
+    for radius in (inner, 1.5, 2.0, outer):
+        assert along(radius) == pytest.approx(-rings.outside(pressure, inner, outer, radius), abs=1e-5)
+        slope = (along(radius + 1e-2) - along(radius - 1e-2)) / 2e-2
+        assert slope + (along(radius) - around(radius)) / radius == pytest.approx(0, abs=2e-2)
+    assert rings.outside(pressure, inner, outer, outer) == pytest.approx(pressure) and rings.outside(pressure, inner, outer, inner) == 0
+
+
+@pytest.mark.parametrize(("kind", "element", "across"), [(MeshQuad, ElementQuad2, 4), (MeshTri, ElementTriP2, 8)])
+def test_the_beam_converges_with_two_kinds_of_elements(kind, element, across):
+    """The deflection on two meshes, the second twice as fine. Of a corner with a fixed side the error falls about threefold, so half of the
+    change is left to come."""
+    found = [deflection(kind, element(), across * times) for times in (1, 2)]
+    assert found[1] + (found[1] - found[0]) / 2 == pytest.approx(Problem.load("tied-beam").reference, rel=1e-4)
+
+
+def deflection(kind, element, across):
+    """Mean over the end of a beam of length 10 and height 1 in plane strain, one body, under a traction of 1e-3."""
+    mesh = kind.init_tensor(np.linspace(0, 10, 10 * across + 1), np.linspace(0, 1, across + 1))
+    basis = Basis(mesh, ElementVector(element), intorder=4)
+    end = FacetBasis(mesh, ElementVector(element), facets=mesh.facets_satisfying(lambda x: x[0] > 10 - 1e-9), intorder=4)
+    mean = LinearForm(lambda v, w: v[1]).assemble(end)
+    matrix = linear_elasticity(*lame_parameters(YOUNG, POISSON)).assemble(basis)
+    held = basis.get_dofs(lambda x: x[0] < 1e-9).all()
+    return mean @ solve(*condense(matrix, -1e-3 * mean, D=held))
+
+
+@pytest.mark.parametrize("coefficient", [0.0, 0.1, 0.2, 0.3])
 def test_the_push_up_a_slope_balances(coefficient):
     """Forces along the slope and across it: the friction is μ times the normal force."""
     tangent = 0.1
@@ -94,6 +130,9 @@ def test_columns_in_plane_strain():
     across = POISSON * stress
     strain = (stress - POISSON * across) / YOUNG
     assert columns.displacement(1.0, [1.0, 1.0], [YOUNG, YOUNG], POISSON) == pytest.approx(2 * strain)
+    # Confined, the stress across is s ν / (1 - ν), in the plane and out of it.
+    across = POISSON / (1 - POISSON) * stress
+    assert columns.confined_force(1.0, 1.0, 1.0, YOUNG, POISSON) == pytest.approx(YOUNG * stress / (stress - 2 * POISSON * across))
     assert columns.force(-2 * strain, 1.0, [1.0, 1.0], [YOUNG, YOUNG], POISSON) == pytest.approx(1.0)
 
 
