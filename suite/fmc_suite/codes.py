@@ -54,6 +54,7 @@ CODES = {
         {
             "default": "`ALMContactFrictionless` or `ALMContactFrictional` with all parameters left out; ties: `ComponentsMeshTying`",
             "other slave": "the same with the coarser side as the slave",
+            "wide search": "the same with a `search_factor` of 20 instead of 3.5",
         },
     ),
     "calculix": Code(

@@ -14,7 +14,7 @@ from KratosMultiphysics.StructuralMechanicsApplication.structural_mechanics_anal
 from . import common
 
 CONTACT = "KratosMultiphysics.ContactStructuralMechanicsApplication"
-ITERATIONS = 60
+ITERATIONS, WIDE = 60, 20.0
 
 
 def _block(name: str, lines: list[str], words: str = "") -> list[str]:
@@ -55,11 +55,13 @@ def _mesh(model: common.Model) -> str:
     return "\n".join([*text, *parts])
 
 
-def _contact(model: common.Model) -> dict[str, Any]:
+def _contact(model: common.Model, variant: str) -> dict[str, Any]:
     numbers = [str(number) for number in range(len(model.pairs))]
     sides = {number: [f"Slave_{number}", f"Master_{number}"] for number in numbers}
     slaves = {number: [f"Slave_{number}"] for number in numbers}
     words: dict[str, Any] = {"model_part_name": "Structure", "assume_master_slave": slaves}
+    if variant == "wide search":
+        words["search_parameters"] = {"search_factor": WIDE}
     if model.tied:
         words |= {"mesh_tying_model_part": sides}
         return {"python_module": "mesh_tying_process", "kratos_module": CONTACT, "Parameters": words}
@@ -69,7 +71,7 @@ def _contact(model: common.Model) -> dict[str, Any]:
     return {"python_module": "alm_contact_process", "kratos_module": CONTACT, "Parameters": words}
 
 
-def _parameters(model: common.Model) -> dict[str, Any]:
+def _parameters(model: common.Model, variant: str) -> dict[str, Any]:
     kind = "ComponentsMeshTying" if model.tied else "ALMContactFrictional" if model.friction else "ALMContactFrictionless"
     law = {2: "LinearElasticPlaneStrain2DLaw", 3: "LinearElastic3DLaw"}[model.dim]
     materials = [
@@ -105,7 +107,7 @@ def _parameters(model: common.Model) -> dict[str, Any]:
         "linear_solver_settings": {"solver_type": "LinearSolversApplication.sparse_lu"},
     }
     data = {"problem_name": "suite", "parallel_type": "OpenMP", "start_time": 0.0, "end_time": model.steps - 0.01, "echo_level": 0}
-    processes = {"constraints_process_list": [], "loads_process_list": [], "contact_process_list": [_contact(model)]}
+    processes = {"constraints_process_list": [], "loads_process_list": [], "contact_process_list": [_contact(model, variant)]}
     return {"problem_data": data, "solver_settings": solver, "processes": processes, "output_processes": {}}
 
 
@@ -128,7 +130,7 @@ def solve(model: common.Model, variant: str) -> tuple[np.ndarray, int]:
         model.pairs = [(master, slave) for slave, master in model.pairs]
     Path("mesh.mdpa").write_text(_mesh(model))
     kratos = Kratos.Model()
-    analysis = StructuralMechanicsAnalysis(kratos, Kratos.Parameters(json.dumps(_parameters(model))))
+    analysis = StructuralMechanicsAnalysis(kratos, Kratos.Parameters(json.dumps(_parameters(model, variant))))
     analysis.Initialize()
     part, solver = kratos["Structure"], analysis._GetSolver()
     found, iterations = [], 0
