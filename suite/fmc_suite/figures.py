@@ -6,6 +6,7 @@ import numpy as np
 
 from . import elastic, grids
 from .problem import Problem, areas
+from .references import indentation
 
 
 def figure(problem: Problem, displacements: np.ndarray) -> float:
@@ -115,7 +116,20 @@ def _centre(problem: Problem, all_u: np.ndarray, step: int) -> float:
     return float(np.abs(forces[near, -1]).sum() / area[near].sum())
 
 
+def _mindlin(problem: Problem, all_u: np.ndarray, step: int) -> float:
+    """Shear traction over the inner part ``within`` of a side, by μ p0 (1 − c/a) of Cattaneo and Mindlin for the forces P and Q that the code
+    has there: c/a = sqrt(1 − Q / (μ P))."""
+    raw, friction = problem.raw["figure"], problem.friction
+    places, forces, area = _shares(problem, step, all_u)
+    shear, normal = np.abs(forces.sum(axis=0))
+    peak = indentation.line_peak(normal, raw["radius"], problem.raw["bodies"][0]["young"], problem.raw["bodies"][0]["poisson"])
+    near = np.abs(places[:, 0]) < raw["within"]
+    expected = friction * peak * (1 - np.sqrt(max(0.0, 1 - shear / (friction * normal))))
+    return float(np.abs(forces[near, 0].sum()) / area[near].sum() / expected)
+
+
 FIGURES = {
+    "mindlin": _mindlin,
     "force": _force,
     "held_force": _held_force,
     "ratio": _ratio,

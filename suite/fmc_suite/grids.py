@@ -29,7 +29,8 @@ class Body:
 
 
 def lines(raw: Mapping[str, Any]) -> np.ndarray:
-    """Coordinates of the grid along an axis: ``from``, ``to`` and ``cells``; or ``fine`` up to ``even`` from ``from`` on, then growing."""
+    """Coordinates of the grid along an axis: ``from``, ``to`` and ``cells``; or ``fine`` up to ``even`` from ``from`` on, then growing;
+    with ``mirrored`` the same on the other side of ``from`` too."""
     start, end = raw["from"], raw["to"]
     if "cells" in raw:
         return np.linspace(start, end, raw["cells"] + 1)
@@ -39,7 +40,8 @@ def lines(raw: Mapping[str, Any]) -> np.ndarray:
         found.append(found[-1] + step)
         if found[-1] > raw["even"]:
             step *= growth
-    return np.asarray(start + (end - start) * np.array(found) / found[-1])
+    half = (end - start) * np.array(found) / found[-1]
+    return np.asarray(start + (np.concatenate([-half[:0:-1], half]) if raw.get("mirrored") else half))
 
 
 def body(raw: Mapping[str, Any]) -> Body:

@@ -30,6 +30,20 @@ def test_the_line_of_hertz_lies_flat():
     assert np.abs(found + places / radius).max() < 1e-4 * half_width / radius
 
 
+def test_the_middle_of_cattaneo_and_mindlin_sticks():
+    """Within c the shear tractions move the surface without strain, and they sum up to Q for c/a = sqrt(1 - Q / (μ P))."""
+    coefficient, peak, a, c, modulus = 0.3, 0.5, 1.0, 0.6, indentation.pair_modulus(YOUNG, POISSON)
+    shear = lambda s: coefficient * peak * (np.sqrt(1 - (s / a) ** 2) - c / a * np.sqrt(np.maximum(1 - (s / c) ** 2, 0)))
+    places, found = slopes(shear, a, modulus)
+    inside = np.abs(places) < 0.95 * c
+    assert inside.sum() > 2 and np.abs(found[inside]).max() < 1e-3 * coefficient * peak / modulus
+    assert np.abs(found[~inside]).max() > 1e-2 * coefficient * peak / modulus
+    middles = np.linspace(-a, a, 200_001)
+    normal = np.pi * peak * a / 2
+    total = shear(middles).mean() * 2 * a
+    assert np.sqrt(1 - total / (coefficient * normal)) == pytest.approx(c / a, rel=1e-4)
+
+
 def test_the_surface_below_a_flat_punch_is_flat():
     """The slopes vanish against p / E*, and the mean over the whole width is the force by the width."""
     force, modulus = 0.2, indentation.pair_modulus(YOUNG, POISSON)
