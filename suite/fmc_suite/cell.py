@@ -76,7 +76,9 @@ def _process(command: list[str], scratch: str, seconds: float) -> dict[str, Any]
     process.returncode = os.waitstatus_to_exitcode(status)
     told = {"cpu": usage.ru_utime + usage.ru_stime, "memory": usage.ru_maxrss / 1024, "said": log.read_text(errors="replace")[-300:]}
     if process.returncode:
-        return {"status": "failed", "message": f"ended with {process.returncode}: {told['said']}"[:400], **told}
+        code = process.returncode
+        how = f"with {code}" if code > 0 else f"by the signal {signal.Signals(-code).name}"
+        return {"status": "failed", "message": f"ended {how}: {told['said']}"[:400], **told}
     return {"status": "ok", **told}
 
 

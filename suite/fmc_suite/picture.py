@@ -20,7 +20,7 @@ def svg(problem: Problem) -> str:
     places[:, 1] = height - places[:, 1]
     parts = [f'<svg xmlns="http://www.w3.org/2000/svg" width="{width:.0f}" height="{height:.0f}" role="img">']
     for number, body in enumerate(problem.bodies):
-        facets = body.cells if problem.dim == 2 else np.concatenate([body.sides[side] for side in ("x+", "y-", "z+", "z-")])
+        facets = body.cells if problem.dim == 2 else np.concatenate([body.sides[side] for side in ("x+", "y-", "z+")])
         colour = COLOURS[number % len(COLOURS)]
         shapes = "".join(f"M{_path(places[facet + problem.firsts[number]])}Z" for facet in facets)
         parts.append(f'<path d="{shapes}" fill="{colour}" stroke="#555" stroke-width="0.4"/>')
