@@ -6,8 +6,9 @@
 use super::{Instance, Mesh};
 use crate::excerpt::shortened;
 use anyhow::{Context, Result, anyhow, bail, ensure};
-use included::Expanded;
-use lines::{Keyword, Lines};
+pub use element_name::cell_type_of_element;
+pub use included::Expanded;
+pub use lines::{Keyword, Lines, fields, label, number};
 use motion::Motion;
 use part::Part;
 use std::collections::{HashMap, HashSet};
@@ -71,7 +72,7 @@ pub(super) fn parse(bytes: &[u8], path: Option<&Path>) -> Result<Mesh> {
     of_text(&whole.text).map_err(|error| anyhow!("{}", whole.in_files(&format!("{error:#}"))))
 }
 
-fn of_text(text: &str) -> Result<Mesh> {
+pub(super) fn of_text(text: &str) -> Result<Mesh> {
     let mut lines = Lines::new(text);
     let mut deck = Deck::default();
     let (mut scope, mut begun) = (Scope::Model, 0);

@@ -15,7 +15,7 @@ mod excerpt;
 mod fibers;
 mod folder_lock;
 mod gmsh;
-mod inp;
+pub mod inp;
 mod vtu;
 mod vtu_array;
 mod vtu_write;
@@ -106,6 +106,16 @@ impl Mesh {
             "{file} has no triangles, quadrilaterals, tetrahedra, hexahedra, wedges or pyramids"
         );
         mesh.file = file;
+        Ok(mesh)
+    }
+
+    /// The mesh of an Abaqus input file that has been read.
+    ///
+    /// # Errors
+    /// If it is damaged or has no cells; messages name lines of the text.
+    pub fn of_input(input: &inp::Expanded) -> Result<Self> {
+        let mesh = inp::of_text(&input.text)?;
+        ensure!(!mesh.blocks.is_empty(), "line 1: there are no elements that fill an area or a volume");
         Ok(mesh)
     }
 

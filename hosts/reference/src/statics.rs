@@ -41,6 +41,7 @@ mod problem;
 mod report;
 mod search;
 mod turn;
+mod untouched;
 
 pub use balance::Balance;
 pub use equilibrium::Equilibrium;

@@ -91,6 +91,14 @@ impl Element {
     }
 }
 
+/// The cell that an element of this name is; none for points, lines and unknown names.
+pub fn cell_type_of_element(name: &str) -> Option<CellType> {
+    match Element::of_name(0, name) {
+        Ok(Element::Cell(cell)) => Some(cell.cell_type),
+        _ => None,
+    }
+}
+
 impl Cell {
     /// The place in the file of our node `number`.
     pub(super) fn place(&self, number: usize) -> usize {

@@ -13,8 +13,9 @@ const MOST_LEVELS: usize = 5;
 const MOST_REPEATS: usize = 100;
 
 /// A text in which no file is included any more.
-pub(super) struct Expanded {
-    pub(super) text: String,
+pub struct Expanded {
+    /// All lines, those of included files in their places.
+    pub text: String,
     /// Where each line stands: number of the file, and line from 1.
     places: Vec<(usize, usize)>,
     files: Vec<PathBuf>,
@@ -24,7 +25,10 @@ pub(super) struct Expanded {
 
 impl Expanded {
     /// The text of a file with what it includes, which is looked for in the file's folder.
-    pub(super) fn new(text: &str, path: Option<&Path>) -> Result<Self> {
+    ///
+    /// # Errors
+    /// If one of them cannot be read, or they include one another.
+    pub fn new(text: &str, path: Option<&Path>) -> Result<Self> {
         let main = path.unwrap_or(Path::new("")).to_path_buf();
         let mut expanded =
             Self { text: String::with_capacity(text.len()), places: Vec::new(), files: vec![main], size: text.len() };
@@ -100,6 +104,14 @@ impl Expanded {
         match file {
             0 => number.to_string(),
             _ => format!("{number} of {}", self.files[file].display()),
+        }
+    }
+
+    /// File and line of a line of the text, as editors and compilers write them.
+    pub fn source(&self, line: usize) -> String {
+        match self.places.get(line.wrapping_sub(1)) {
+            Some(&(file, number)) => format!("{}:{number}", self.files[file].display()),
+            None => self.files[0].display().to_string(),
         }
     }
 

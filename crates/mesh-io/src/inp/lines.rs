@@ -4,23 +4,26 @@ use crate::excerpt::shortened;
 use anyhow::{Result, bail};
 
 /// A keyword line, with those that continue it.
-pub(super) struct Keyword {
+pub struct Keyword {
     /// Without the asterisk, in upper case, single blanks between words.
-    pub(super) name: String,
+    pub name: String,
     /// Where it stands in the file.
-    pub(super) line: usize,
+    pub line: usize,
     /// Names in upper case, and what follows the equals sign.
-    parameters: Vec<(String, String)>,
+    pub parameters: Vec<(String, String)>,
 }
 
 impl Keyword {
     /// The value of a parameter; empty where it has none.
-    pub(super) fn value(&self, name: &str) -> Option<&str> {
+    pub fn value(&self, name: &str) -> Option<&str> {
         self.parameters.iter().find(|(known, _)| known == name).map(|(_, value)| value.as_str())
     }
 
     /// The value of a parameter that must have one.
-    pub(super) fn required(&self, name: &str) -> Result<&str> {
+    ///
+    /// # Errors
+    /// If it has none.
+    pub fn required(&self, name: &str) -> Result<&str> {
         match self.value(name) {
             Some(value) if !value.is_empty() => Ok(value),
             _ => bail!("line {}: *{} has no {name}=", self.line, self.name),
@@ -29,14 +32,15 @@ impl Keyword {
 }
 
 /// A file, line by line. Blank lines and comments are left out.
-pub(super) struct Lines<'a> {
+pub struct Lines<'a> {
     rest: std::str::Lines<'a>,
     number: usize,
     next: Option<(usize, &'a str)>,
 }
 
 impl<'a> Lines<'a> {
-    pub(super) fn new(text: &'a str) -> Self {
+    /// From the start of a text.
+    pub fn new(text: &'a str) -> Self {
         let mut lines = Self { rest: text.lines(), number: 0, next: None };
         lines.advance();
         lines
@@ -55,14 +59,14 @@ impl<'a> Lines<'a> {
     }
 
     /// The next data line, unless a keyword comes first.
-    pub(super) fn data(&mut self) -> Option<(usize, &'a str)> {
+    pub fn data(&mut self) -> Option<(usize, &'a str)> {
         let (number, line) = self.next.filter(|(_, line)| !line.starts_with('*'))?;
         self.advance();
         Some((number, line))
     }
 
     /// The next keyword, past all data before it.
-    pub(super) fn keyword(&mut self) -> Option<Keyword> {
+    pub fn keyword(&mut self) -> Option<Keyword> {
         while self.data().is_some() {}
         let (line, first) = self.next?;
         let mut text = first[1..].to_owned();
@@ -83,12 +87,15 @@ impl<'a> Lines<'a> {
 }
 
 /// The fields of a data line; a comma at its end opens no further one.
-pub(super) fn fields(line: &str) -> impl Iterator<Item = &str> {
+pub fn fields(line: &str) -> impl Iterator<Item = &str> {
     line.strip_suffix(',').unwrap_or(line).split(',').map(str::trim)
 }
 
 /// A number that counts: a label, or a distance between labels.
-pub(super) fn label(line: usize, field: &str) -> Result<u64> {
+///
+/// # Errors
+/// If it is none above 0.
+pub fn label(line: usize, field: &str) -> Result<u64> {
     match field.parse() {
         Ok(number) if number > 0 => Ok(number),
         _ => bail!("line {line}: expected a whole number above 0, found '{}'", shortened(field)),
@@ -96,7 +103,10 @@ pub(super) fn label(line: usize, field: &str) -> Result<u64> {
 }
 
 /// A floating point number, its exponent marked as in Fortran too; nothing at all is 0.
-pub(super) fn number(line: usize, field: &str) -> Result<f64> {
+///
+/// # Errors
+/// If it is none.
+pub fn number(line: usize, field: &str) -> Result<f64> {
     if field.is_empty() {
         return Ok(0.0);
     }

@@ -54,11 +54,11 @@ impl<const D: usize> Equilibrium<D> {
         let u: Vec<[f64; D]> = by_nodes(x);
         let mut forces = vec![[0.0; D]; u.len()];
         let mut energy = self.problem.model.internal(&u, &mut forces);
-        let dead = self.from.1 + load * (1.0 - self.from.1);
-        for ((force, load), u) in forces.iter_mut().zip(&self.problem.load).zip(&u) {
+        for (node, (force, u)) in forces.iter_mut().zip(&u).enumerate() {
+            let dead = self.dead_load(node, load);
             for axis in 0..D {
-                force[axis] -= dead * load[axis];
-                energy -= dead * load[axis] * u[axis];
+                force[axis] -= dead[axis];
+                energy -= dead[axis] * u[axis];
             }
         }
         if let Some(linearised) = &self.problem.linearised {

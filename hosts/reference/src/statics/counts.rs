@@ -30,7 +30,7 @@ impl<const D: usize> Equilibrium<D> {
 
     /// Whether contact resists sliding.
     pub(super) fn has_friction(&self) -> bool {
-        self.problem.contact.friction.is_active()
+        self.contact.has_friction()
     }
 
     /// Name of a body, and how it moves.

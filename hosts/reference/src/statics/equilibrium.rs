@@ -6,7 +6,9 @@ use super::error::StaticsError;
 use super::matrices::Matrices;
 use super::newton_settings::NewtonSettings;
 use super::problem::Problem;
+use super::untouched::untouched;
 use crate::fem::{Constraints, Model};
+use fmc_contact::overlap::Partner;
 use fmc_contact::{Contact, ContactForces, EnergyLaw, Estimator};
 use std::time::Instant;
 
@@ -23,8 +25,8 @@ pub struct Equilibrium<const D: usize> {
     pub(super) displacement: Vec<[f64; D]>,
     pub(super) balance: Balance<D>,
     pub(super) load: f64,
-    /// Displacement and part of the dead loads at which the stage began.
-    pub(super) from: (Vec<[f64; D]>, f64),
+    /// Displacement and dead loads at which the stage began.
+    pub(super) from: (Vec<[f64; D]>, Vec<[f64; D]>),
     /// See [`Equilibrium::unturned`].
     pub(super) unturned: Option<f64>,
     /// See [`Equilibrium::stalled_turn`].
@@ -39,6 +41,8 @@ pub struct Equilibrium<const D: usize> {
     pub halvings: usize,
     /// Evaluations of forces and energy.
     pub evaluations: usize,
+    /// What the search has said of the last equilibrium, a sentence each.
+    pub warnings: Vec<String>,
     /// Seconds in the contact and in the search.
     pub contact_seconds: f64,
 }
@@ -64,14 +68,11 @@ impl<const D: usize> Equilibrium<D> {
         for obstacle in problem.obstacles.iter().filter(|_| problem.linearised.is_none()) {
             contact.add_obstacle(obstacle.clone())?;
         }
-        let held = problem.supports.iter().map(|(node, axis, _)| node * D + axis);
-        let equations = Equations::new(expected * D, held);
-        let place = |equation: usize| {
-            let x = problem.model.coords()[equations.freedom(equation) / D];
-            std::array::from_fn(|i| if i < D { x[i] } else { 0.0 })
-        };
-        let places: Vec<[f64; 3]> = (0..equations.count()).map(place).collect();
-        if problem.contact.friction.is_active() {
+        for (parts, options) in &problem.pairs {
+            contact.set_pair_options(parts.map(Partner::Body), Some(*options))?;
+        }
+        let matrices = matrices(&problem.model, &problem.supports);
+        if contact.has_friction() {
             // Its line search goes by the potential of frozen friction, stored and dissipated energy together.
             if problem.contact.friction.memoryless_slip.is_some() {
                 return Err(
@@ -85,14 +86,18 @@ impl<const D: usize> Equilibrium<D> {
         }
         let shortest_edge = shortest_edge(&contact, problem.model.coords());
         let displacement = vec![[0.0; D]; expected];
-        let from = (displacement.clone(), 0.0);
-        let touch = contact.evaluate(problem.model.coords())?;
+        let from = (displacement.clone(), displacement.clone());
+        // The search finds the stiffness, if none is given.
+        let touch = match problem.contact.law.is_without_stiffness() {
+            true => untouched(contact.surface(), expected),
+            false => contact.evaluate(problem.model.coords())?,
+        };
         let load = |_| [0.0; D];
         let balance = Balance::new(0.0, displacement.clone(), touch, load, &displacement, &problem.supports);
         Ok(Self {
             problem,
             contact,
-            matrices: Matrices::new(equations, places),
+            matrices,
             linearised_at: vec![0.0; expected * D],
             shortest_edge,
             settings: NewtonSettings::default(),
@@ -107,6 +112,7 @@ impl<const D: usize> Equilibrium<D> {
             iterations: 0,
             contact_iterations: 0,
             evaluations: 0,
+            warnings: Vec::new(),
             contact_seconds: 0.0,
         })
     }
@@ -183,10 +189,37 @@ impl<const D: usize> Equilibrium<D> {
         if before != now {
             return Err(StaticsError::Length { expected: before.len(), found: now.len() });
         }
-        self.problem.supports = supports;
-        self.from = (self.displacement.clone(), self.from.1 + self.load * (1.0 - self.from.1));
-        self.load = 0.0;
+        let load = self.problem.load.clone();
+        self.next_step(supports, load)
+    }
+
+    /// Starts a stage that leads on from the last equilibrium, at load 0 of its own, to other supports and other dead loads. What is
+    /// no longer held is let go: its reaction fades as the new load grows.
+    ///
+    /// # Errors
+    /// [`StaticsError::Length`] if there is not one force for each node.
+    pub fn next_step(&mut self, supports: Constraints<D>, load: Vec<[f64; D]>) -> Result<(), StaticsError> {
+        let expected = self.problem.model.node_count();
+        if load.len() != expected {
+            return Err(StaticsError::Length { expected, found: load.len() });
+        }
+        let mut reached: Vec<[f64; D]> = (0..expected).map(|node| self.dead_load(node, self.load)).collect();
+        for (node, axis, _) in self.problem.supports.iter().filter(|(node, axis, _)| !supports.contains(*node, *axis)) {
+            reached[node][axis] += self.balance.residual[node][axis];
+        }
+        let held = |supports: &Constraints<D>| supports.iter().map(|(node, axis, _)| (node, axis)).collect::<Vec<_>>();
+        if held(&self.problem.supports) != held(&supports) {
+            self.matrices = matrices(&self.problem.model, &supports);
+        }
+        (self.problem.supports, self.problem.load) = (supports, load);
+        (self.from, self.load) = ((self.displacement.clone(), reached), 0.0);
         Ok(())
+    }
+
+    /// The dead load of a node at a part of the stage.
+    pub(super) fn dead_load(&self, node: usize, load: f64) -> [f64; D] {
+        let (from, to) = (self.from.1[node], self.problem.load[node]);
+        std::array::from_fn(|axis| from[axis] + load * (to[axis] - from[axis]))
     }
 
     /// Largest side of the box around all bodies.
@@ -217,9 +250,7 @@ impl<const D: usize> Equilibrium<D> {
         })?;
         let mut internal = vec![[0.0; D]; displacement.len()];
         let strain = self.problem.model.internal(displacement, &mut internal);
-        let forces = &self.problem.load;
-        let dead = self.from.1 + load * (1.0 - self.from.1);
-        let external = |node: usize| forces[node].map(|f| dead * f);
+        let external = |node: usize| self.dead_load(node, load);
         let balance = Balance::new(strain, internal, touch, external, displacement, &self.problem.supports);
         if !balance.energy().is_finite() || !balance.norm.is_finite() {
             return Err(StaticsError::Inverted { load, cell: None });
@@ -247,6 +278,18 @@ impl<const D: usize> Equilibrium<D> {
     pub(super) fn accept(&mut self, displacement: Vec<[f64; D]>, balance: Balance<D>, load: f64) {
         (self.displacement, self.balance, self.load) = (displacement, balance, load);
     }
+}
+
+/// Matrices of the degrees of freedom that are free.
+fn matrices<const D: usize>(model: &Model<D>, supports: &Constraints<D>) -> Matrices {
+    let held = supports.iter().map(|(node, axis, _)| node * D + axis);
+    let equations = Equations::new(model.node_count() * D, held);
+    let place = |equation: usize| {
+        let x = model.coords()[equations.freedom(equation) / D];
+        std::array::from_fn(|i| if i < D { x[i] } else { 0.0 })
+    };
+    let places: Vec<[f64; 3]> = (0..equations.count()).map(place).collect();
+    Matrices::new(equations, places)
 }
 
 /// A vector of all degrees of freedom, by nodes.

@@ -2,6 +2,7 @@
 
 use super::linearised::Linearised;
 use crate::fem::{Constraints, Model};
+use fmc_contact::contact::PairOptions;
 use fmc_contact::{Obstacle, Options};
 
 /// Bodies, what holds and drives them, and how they touch. Arrays are `[node_count, D]`.
@@ -10,6 +11,8 @@ pub struct Problem<const D: usize> {
     pub model: Model<D>,
     /// Energy law and estimator of the contact.
     pub contact: Options,
+    /// Pairs of parts that are left out, tied, or have a law or a friction of their own; twice the same part is its self-contact.
+    pub pairs: Vec<([usize; 2], PairOptions)>,
     /// Rigid partners; they do not move.
     pub obstacles: Vec<Obstacle<D>>,
     /// Contact with the obstacles as small displacements see it, in the place of the other.
@@ -26,6 +29,7 @@ impl<const D: usize> Problem<D> {
         Self {
             model,
             contact,
+            pairs: Vec::new(),
             obstacles: Vec::new(),
             linearised: None,
             supports: Constraints::default(),

@@ -114,6 +114,7 @@ impl<const D: usize> Equilibrium<D> {
         watch: Watch,
     ) -> Result<Reached<D>, StaticsError> {
         self.updates += found.updates;
+        self.warnings = found.warnings;
         self.problem.contact.law = self.contact.options().law;
         let displacement = by_nodes(&found.x);
         let balance = self.evaluate(&displacement, load)?;
