@@ -6,6 +6,7 @@ pub(crate) mod mesh;
 #[cfg(feature = "plots")]
 pub(crate) mod report;
 pub(crate) mod run;
+pub(crate) mod solve;
 pub(crate) mod study;
 mod time_left;
 pub(crate) mod verify;

@@ -15,6 +15,8 @@ mod next_step;
 const AFTER_HELP: &str = "To begin with:
   Forces between two meshes, and a picture of them:
     fmc force examples/star.msh examples/block.msh --stiffness 2.8e7
+  Solve an input file of Abaqus or CalculiX:
+    fmc solve model.inp
   List the cases, and run one of them, an equilibrium compared with a closed form:
     fmc list
     fmc run hertz
@@ -51,6 +53,8 @@ enum Command {
     #[cfg(feature = "statics")]
     Run(commands::run::RunArgs),
     #[cfg(feature = "statics")]
+    Solve(commands::solve::SolveArgs),
+    #[cfg(feature = "statics")]
     List(commands::list::ListArgs),
     #[cfg(feature = "statics")]
     Mesh(commands::mesh::MeshArgs),
@@ -71,6 +75,8 @@ impl Command {
         match self {
             #[cfg(feature = "statics")]
             Command::Run(_) => "run",
+            #[cfg(feature = "statics")]
+            Command::Solve(_) => "solve",
             #[cfg(feature = "statics")]
             Command::List(_) => "list",
             #[cfg(feature = "statics")]
@@ -93,6 +99,8 @@ fn main() -> ExitCode {
     let result = match command {
         #[cfg(feature = "statics")]
         Command::Run(args) => commands::run::run(&args),
+        #[cfg(feature = "statics")]
+        Command::Solve(args) => commands::solve::run(&args),
         #[cfg(feature = "statics")]
         Command::List(args) => commands::list::run(&args).map(|()| ExitCode::SUCCESS),
         #[cfg(feature = "statics")]

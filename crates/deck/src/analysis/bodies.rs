@@ -1,0 +1,145 @@
+//! Bodies: the connected parts of a mesh, each of one cell type and one material.
+
+use crate::Fault;
+use crate::read::{Deck, Kind};
+use fmc_contact::CellType;
+use fmc_shapes::Mesh;
+use fmc_solid::fem::{Error, Material, Model, Part};
+
+/// The bodies of a file with their places in it.
+#[derive(Clone, Copy)]
+pub(crate) struct Bodies<'a, const D: usize> {
+    pub(crate) model: &'a Model<D>,
+    pub(crate) places: &'a Places,
+}
+
+/// Which node and cell of the model is which of the file.
+pub(crate) struct Places {
+    /// Node of the model, by node of the file; none for nodes without elements.
+    pub(crate) node_of: Vec<Option<usize>>,
+    /// Body, by cell of the file.
+    pub(crate) body_of: Vec<usize>,
+    /// Node of the file, by node of the model.
+    pub(crate) nodes: Vec<usize>,
+    /// Cell of the file, by cell of the model.
+    pub(crate) cells: Vec<usize>,
+    /// Whether displacements are finite.
+    pub(crate) is_finite: bool,
+}
+
+impl Places {
+    /// The bodies of a file, and their places.
+    pub(crate) fn with_model<const D: usize>(deck: &Deck, threads: usize) -> Result<(Self, Model<D>), Fault> {
+        let is_finite = deck.steps.iter().any(|step| step.is_finite);
+        let (component, count) = components(deck);
+        let materials = materials(deck, is_finite)?;
+        let all: Vec<(CellType, &[u32], u64, Option<i64>)> = deck.mesh.cells().collect();
+        let body_of: Vec<usize> = all.iter().map(|(_, nodes, ..)| component[nodes[0] as usize]).collect();
+        let mut of_body: Vec<Vec<usize>> = vec![Vec::new(); count];
+        body_of.iter().enumerate().for_each(|(cell, &body)| of_body[body].push(cell));
+        let mut used: Vec<Vec<usize>> = vec![Vec::new(); count];
+        let is_used = {
+            let mut is_used = vec![false; deck.mesh.points.len()];
+            all.iter().flat_map(|(_, nodes, ..)| *nodes).for_each(|&node| is_used[node as usize] = true);
+            is_used
+        };
+        (0..is_used.len()).filter(|node| is_used[*node]).for_each(|node| used[component[node]].push(node));
+        let mut node_of = vec![None; deck.mesh.points.len()];
+        let (mut nodes, mut parts) = (Vec::new(), Vec::new());
+        let mut names = Vec::new();
+        for (body, cells) in of_body.iter().enumerate() {
+            let name = name(deck, all[cells[0]].3, &mut names);
+            let (material, line) = materials[cells[0]];
+            let cell_type = all[cells[0]].0;
+            for &cell in cells {
+                if materials[cell].0 != material {
+                    let message = format!("{name} has two materials: solved are bodies of one, or bodies that are tied");
+                    return Err(Fault::new(materials[cell].1, message));
+                }
+                if all[cell].0 != cell_type {
+                    let message =
+                        format!("{name} has cells {cell_type:?} and {:?}: solved are bodies of one type", all[cell].0);
+                    return Err(Fault::new(line, message));
+                }
+            }
+            let first = nodes.len();
+            for &node in &used[body] {
+                node_of[node] = Some(nodes.len());
+                nodes.push(node);
+            }
+            let coords = used[body].iter().map(|&node| std::array::from_fn(|axis| deck.mesh.points[node][axis]));
+            let local = |node: &u32| (node_of[*node as usize].unwrap_or(first) - first) as u32;
+            let conn = cells.iter().flat_map(|&cell| all[cell].1.iter().map(local)).collect();
+            let mesh = Mesh { coords: coords.collect(), conn, nodes_per_cell: cell_type.node_count() };
+            parts.push(Part { name, cell_type, mesh, material });
+        }
+        let model = Model::new(parts).and_then(|model| model.with_threads(threads)).map_err(|error| {
+            let Error::InvertedCell { part, cell } = &error else { return Fault::new(1, error.to_string()) };
+            let body = names.iter().position(|name| name == part).unwrap_or(0);
+            let label = all[of_body[body][*cell]].2;
+            Fault::new(1, format!("{part}: element {label} is inverted or has no volume"))
+        })?;
+        let cells = of_body.into_iter().flatten().collect();
+        Ok((Self { node_of, body_of, nodes, cells, is_finite }, model))
+    }
+}
+
+/// The component of every node, counted in the order of their first nodes with cells.
+fn components(deck: &Deck) -> (Vec<usize>, usize) {
+    let mut parent: Vec<usize> = (0..deck.mesh.points.len()).collect();
+    fn root(parent: &mut [usize], mut node: usize) -> usize {
+        while parent[node] != node {
+            parent[node] = parent[parent[node]];
+            node = parent[node];
+        }
+        node
+    }
+    let mut order = Vec::new();
+    for (_, nodes, ..) in deck.mesh.cells() {
+        order.push(nodes[0] as usize);
+        let first = root(&mut parent, nodes[0] as usize);
+        for &node in &nodes[1..] {
+            let other = root(&mut parent, node as usize);
+            parent[other] = first;
+        }
+    }
+    let mut number = vec![usize::MAX; parent.len()];
+    let mut count = 0;
+    for node in order {
+        let root = root(&mut parent, node);
+        if number[root] == usize::MAX {
+            number[root] = count;
+            count += 1;
+        }
+    }
+    let of = (0..parent.len()).map(|node| number[root(&mut parent, node)]).collect();
+    (of, count)
+}
+
+/// Material and line of the section of every cell.
+fn materials(deck: &Deck, is_finite: bool) -> Result<Vec<(Material, usize)>, Fault> {
+    let mut found: Vec<Option<(Material, usize)>> = vec![None; deck.mesh.cell_count()];
+    for section in &deck.sections {
+        let row = deck.materials.get(&section.material.to_uppercase());
+        let row = row.ok_or_else(|| Fault::new(section.line, format!("there is no material '{}'", section.material)))?;
+        let material = row.material(is_finite)?;
+        for instance in deck.names.instances_of(&section.scope) {
+            for cell in deck.names.find(Kind::Cell, instance, &section.set, section.line)? {
+                found[cell] = Some((material, section.line));
+            }
+        }
+    }
+    let labels = deck.mesh.cells().map(|(_, _, label, _)| label);
+    let missing = |label: u64| Fault::new(1, format!("element {label} has no *SOLID SECTION"));
+    found.into_iter().zip(labels).map(|(found, label)| found.ok_or_else(|| missing(label))).collect()
+}
+
+/// A name that no other body has: that of the group of its first cell, or its number.
+fn name(deck: &Deck, group: Option<i64>, names: &mut Vec<String>) -> String {
+    let group = group.and_then(|group| deck.mesh.group_names.get(&group));
+    let stem = group.cloned().unwrap_or_else(|| format!("body {}", names.len() + 1));
+    let numbered = (2..).map(|number| format!("{stem} {number}"));
+    let name = std::iter::once(stem.clone()).chain(numbered).find(|name| !names.contains(name)).unwrap_or(stem);
+    names.push(name.clone());
+    name
+}

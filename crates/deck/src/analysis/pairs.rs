@@ -1,0 +1,106 @@
+//! Which bodies touch, rub or are tied.
+
+use super::Bodies;
+use crate::Fault;
+use crate::read::{Deck, Kind, SurfaceRow};
+use fmc_contact::EnergyLaw;
+use fmc_contact::contact::PairOptions;
+use std::collections::{BTreeMap, BTreeSet};
+
+/// Options by pair of bodies.
+pub(crate) type Pairs = BTreeMap<[usize; 2], PairOptions>;
+
+/// The pairs that a file names, and that all others are left out.
+pub(super) fn pairs<const D: usize>(deck: &Deck, bodies: Bodies<D>) -> Result<Pairs, Fault> {
+    let mut named: BTreeMap<[usize; 2], (PairOptions, usize)> = BTreeMap::new();
+    let mut put = |pair: [usize; 2], options: PairOptions, line: usize| {
+        let before = named.insert(pair, (options, line));
+        match before.filter(|(before, _)| *before != options) {
+            Some((_, first)) => {
+                let [a, b] = pair.map(|body| bodies.model.parts()[body].name.clone());
+                Err(Fault::new(line, format!("{a} and {b} are a pair of another kind already, by line {first}")))
+            }
+            None => Ok(()),
+        }
+    };
+    for row in &deck.pairs {
+        let interaction = deck.interactions.get(&row.interaction).ok_or_else(|| {
+            Fault::new(row.line, format!("there is no *SURFACE INTERACTION '{}'", row.interaction))
+        })?;
+        let options = PairOptions {
+            law: interaction.stiffness.map(EnergyLaw::depth),
+            friction_coefficient: (interaction.friction > 0.0).then_some(interaction.friction),
+            ..PairOptions::default()
+        };
+        let is_self = row.surfaces[0].eq_ignore_ascii_case(&row.surfaces[1]);
+        for pair in between(deck, bodies, row.line, &row.surfaces, is_self)? {
+            put(pair, options, row.line)?;
+        }
+    }
+    for row in &deck.ties {
+        for pair in between(deck, bodies, row.line, &row.surfaces, false)? {
+            put(pair, PairOptions::tied(row.reach), row.line)?;
+        }
+    }
+    let count = bodies.model.parts().len();
+    let all = (0..count).flat_map(|a| (a + 1..count).map(move |b| [a, b]));
+    let mut pairs: Pairs = all.map(|pair| (pair, PairOptions::excluded())).collect();
+    pairs.extend(named.into_iter().map(|(pair, (options, _))| (pair, options)));
+    Ok(pairs)
+}
+
+/// Pairs of a body of one surface and one of the other.
+fn between<const D: usize>(
+    deck: &Deck,
+    bodies: Bodies<D>,
+    line: usize,
+    surfaces: &[String; 2],
+    is_self: bool,
+) -> Result<Vec<[usize; 2]>, Fault> {
+    let [a, b] = [bodies_of(deck, bodies, line, &surfaces[0])?, bodies_of(deck, bodies, line, &surfaces[1])?];
+    let all = a.iter().flat_map(|&p| b.iter().map(move |&q| [p.min(q), p.max(q)]));
+    let pairs: BTreeSet<[usize; 2]> = all.filter(|pair| pair[0] != pair[1] || is_self).collect();
+    match pairs.is_empty() {
+        true => Err(Fault::new(line, format!("{} and {} are surfaces of one body", surfaces[0], surfaces[1]))),
+        false => Ok(pairs.into_iter().collect()),
+    }
+}
+
+/// Bodies on which a surface lies.
+fn bodies_of<const D: usize>(
+    deck: &Deck,
+    bodies: Bodies<D>,
+    line: usize,
+    name: &str,
+) -> Result<BTreeSet<usize>, Fault> {
+    let mut found = BTreeSet::new();
+    let (instance, is_of_nodes, rows) = surface(deck, line, name)?;
+    for row in rows {
+        if is_of_nodes {
+            for node in deck.names.find(Kind::Node, instance, &row.set, row.line)? {
+                let node = bodies.places.node_of[node].ok_or_else(|| {
+                    Fault::new(row.line, format!("node {} belongs to no element", deck.mesh.node_tags[node]))
+                })?;
+                found.extend((0..bodies.model.parts().len()).find(|&body| bodies.model.nodes_of(body).contains(&node)));
+            }
+        } else {
+            let cells = deck.names.find(Kind::Cell, instance, &row.set, row.line)?;
+            found.extend(cells.into_iter().map(|cell| bodies.places.body_of[cell]));
+        }
+    }
+    Ok(found)
+}
+
+/// The instance of a surface, whether it is of nodes, and its rows.
+pub(super) fn surface<'a>(
+    deck: &'a Deck,
+    line: usize,
+    name: &str,
+) -> Result<(Option<usize>, bool, &'a [SurfaceRow]), Fault> {
+    let (instance, rest) = deck.names.split(name);
+    let mut scopes = deck.names.scopes_of(instance).into_iter();
+    match scopes.find_map(|scope| deck.surfaces.get(scope, rest)) {
+        Some(surface) => Ok((instance, surface.is_of_nodes, &surface.rows)),
+        None => Err(Fault::new(line, format!("there is no surface '{name}'"))),
+    }
+}

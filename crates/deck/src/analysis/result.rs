@@ -1,0 +1,90 @@
+//! What a step leaves.
+
+use fmc_contact::contact::{Interface, PairForces, PairOptions};
+use fmc_contact::overlap::Partner;
+use fmc_solid::statics::Equilibrium;
+
+/// A pair of bodies that touch or are tied.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PairResult {
+    /// Names of both.
+    pub names: [String; 2],
+    /// Whether they are tied.
+    pub is_tied: bool,
+    /// Force of the first on the second.
+    pub force: [f64; 3],
+    /// Area of contact.
+    pub area: f64,
+    /// Mean pressure.
+    pub pressure: f64,
+}
+
+/// The end of a step.
+#[derive(Clone, Debug, PartialEq)]
+pub struct StepResult {
+    /// Its number, from 1.
+    pub number: usize,
+    /// Time since the first step began.
+    pub time: f64,
+    /// Linear systems solved, of all steps until then.
+    pub iterations: usize,
+    /// Residual by the forces.
+    pub residual: f64,
+    /// Sum of what holds the bodies.
+    pub reaction: [f64; 3],
+    /// Sum of the loads.
+    pub load: [f64; 3],
+    /// Largest displacement of a node.
+    pub displacement: f64,
+    /// Pairs in contact.
+    pub pairs: Vec<PairResult>,
+    /// Names of the bodies, and the force of contact and ties on each.
+    pub bodies: Vec<(String, [f64; 3])>,
+    /// What the library has to say.
+    pub warnings: Vec<String>,
+}
+
+impl StepResult {
+    pub(super) fn new<const D: usize>(at: &Equilibrium<D>, number: usize, time: f64) -> Self {
+        let (balance, model) = (at.balance(), at.model());
+        let mut reaction = [0.0; 3];
+        for (node, axis, _) in at.problem().supports.iter() {
+            reaction[axis] += balance.residual[node][axis];
+        }
+        let in_space = |v: &[f64; D]| std::array::from_fn(|axis| v.get(axis).copied().unwrap_or(0.0));
+        let mut load = [0.0; 3];
+        at.problem().load.iter().for_each(|f| (0..D).for_each(|axis| load[axis] += f[axis]));
+        let name = |partner: &Partner| match partner {
+            Partner::Body(body) => model.parts()[*body].name.clone(),
+            Partner::Obstacle(obstacle) => format!("obstacle {obstacle}"),
+        };
+        let options = |pair: &PairForces| -> Option<PairOptions> {
+            let (Partner::Body(a), Partner::Body(b)) = (pair.a, pair.b) else { return None };
+            at.problem().pairs.iter().find(|(bodies, _)| *bodies == [a, b]).map(|(_, options)| *options)
+        };
+        let pair = |pair: &PairForces| PairResult {
+            names: [name(&pair.a), name(&pair.b)],
+            is_tied: options(pair).is_some_and(|options| options.interface != Interface::Contact),
+            force: pair.force,
+            area: pair.contact_area,
+            pressure: pair.pressure,
+        };
+        let contact = &balance.contact;
+        let mut warnings: Vec<String> = contact.warnings.iter().map(ToString::to_string).collect();
+        warnings.extend(at.warnings.iter().filter(|text| !warnings.contains(text)).cloned().collect::<Vec<_>>());
+        let squares = at.displacement().iter().map(|u| u.iter().map(|x| x * x).sum::<f64>());
+        let bodies = contact.bodies.iter().zip(model.parts()).map(|(b, part)| (part.name.clone(), in_space(&b.force)));
+        Self {
+            number,
+            time,
+            iterations: at.iterations,
+            residual: balance.relative(),
+            reaction,
+            load,
+            displacement: squares.fold(0.0, f64::max).sqrt(),
+            pairs: contact.pairs.iter().map(pair).collect(),
+            bodies: bodies.collect(),
+            warnings,
+        }
+    }
+}

@@ -1,0 +1,154 @@
+//! Equilibria of all steps.
+
+use super::{Bodies, Places};
+use super::pairs::pairs;
+use super::result::StepResult;
+use super::state::State;
+use crate::Fault;
+use super::notes::notes;
+use crate::read::{Deck, Note};
+use fmc_contact::contact::PairOptions;
+use fmc_contact::{EnergyLaw, Options};
+use fmc_solid::fem::{Constraints, Model};
+use fmc_solid::statics::{Equilibrium, Iteration, NewtonSettings, Path, Problem, StaticsError};
+use std::ops::ControlFlow;
+
+/// How a file is solved.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SolveOptions {
+    /// Threads; results do not depend on them.
+    pub threads: usize,
+    /// Residual by the forces.
+    pub tolerance: f64,
+    /// Largest mean penetration of a node, a length; 0: as small as the forces need it.
+    pub penetration: f64,
+}
+
+impl Default for SolveOptions {
+    fn default() -> Self {
+        Self { threads: 1, tolerance: 1e-9, penetration: 0.0 }
+    }
+}
+
+/// A file with its bodies, ready to be solved in `D` dimensions.
+pub struct Analysis<'a, const D: usize> {
+    deck: &'a Deck,
+    model: Model<D>,
+    places: Places,
+    state: State<D>,
+    pairs: Vec<([usize; 2], PairOptions)>,
+    options: SolveOptions,
+    /// Where the nodes and cells of the model stand in the file: nodes, then cells.
+    pub order: [Vec<usize>; 2],
+    /// What is taken in another sense than the file may mean.
+    pub notes: Vec<Note>,
+}
+
+/// How it ended.
+#[derive(Debug)]
+pub enum Solved {
+    /// All steps are solved.
+    Finished,
+    /// It was asked to stop in this step, from 1.
+    Interrupted(usize),
+    /// A step, from 1, has no equilibrium, or none was found.
+    Failed(usize, StaticsError),
+}
+
+impl<'a, const D: usize> Analysis<'a, D> {
+    /// Bodies, pairs and supports of a file.
+    ///
+    /// # Errors
+    /// What the file names and does not have, and what is not solved.
+    pub fn new(deck: &'a Deck, options: SolveOptions) -> Result<Self, Fault> {
+        let (places, model) = Places::with_model::<D>(deck, options.threads)?;
+        let bodies = Bodies { model: &model, places: &places };
+        let pairs = pairs(deck, bodies)?.into_iter().collect();
+        let mut state = State::new(deck, bodies)?;
+        // Every step is read once before the first is solved: a wrong name in the last is known at once.
+        for step in &deck.steps {
+            state.begin(deck, bodies, step)?;
+        }
+        let state = State::new(deck, bodies)?;
+        let order = [places.nodes.clone(), places.cells.clone()];
+        let notes = notes(deck, places.is_finite)?;
+        Ok(Self { deck, model, places, state, pairs, options, order, notes })
+    }
+
+    /// Number of steps.
+    pub fn step_count(&self) -> usize {
+        self.deck.steps.len()
+    }
+
+    /// Solves all steps. `watch` is called after every iteration and may stop it; `reached` at the end of each step.
+    ///
+    /// # Errors
+    /// If results cannot be taken, or the problem is none.
+    pub fn solve(
+        mut self,
+        watch: &mut dyn FnMut(usize, &Iteration) -> ControlFlow<()>,
+        reached: &mut dyn FnMut(&Equilibrium<D>, StepResult) -> anyhow::Result<()>,
+    ) -> anyhow::Result<Solved> {
+        let node_count = self.model.node_count();
+        let mut kept = Kept::Model(self.model);
+        for (number, step) in self.deck.steps.iter().enumerate() {
+            let bodies = Bodies { model: kept.model(), places: &self.places };
+            self.state.begin(self.deck, bodies, step)?;
+            let mut before = 0.0;
+            for time in self.state.stages() {
+                let (supports, load) = self.state.at(time, node_count);
+                let mut at = match kept {
+                    Kept::Model(model) => first(model, &self.pairs, &self.options, (supports, load))?,
+                    Kept::Equilibrium(mut at) => {
+                        at.next_step(supports, load)?;
+                        *at
+                    }
+                };
+                let steps = ((time - before) / step.period * step.count as f64 - 1e-9).ceil().max(1.0) as usize;
+                let path = Path { steps, ..Path::default() };
+                match at.follow(path, &mut |iteration| watch(number + 1, iteration)) {
+                    Ok(()) => {}
+                    Err(StaticsError::Interrupted) => return Ok(Solved::Interrupted(number + 1)),
+                    Err(error) => return Ok(Solved::Failed(number + 1, error)),
+                }
+                before = time;
+                if time == step.period {
+                    let result = StepResult::new(&at, number + 1, self.state.total_time(time));
+                    reached(&at, result)?;
+                }
+                kept = Kept::Equilibrium(Box::new(at));
+            }
+        }
+        Ok(Solved::Finished)
+    }
+}
+
+/// The bodies before the first equilibrium, and after it.
+enum Kept<const D: usize> {
+    Model(Model<D>),
+    Equilibrium(Box<Equilibrium<D>>),
+}
+
+impl<const D: usize> Kept<D> {
+    fn model(&self) -> &Model<D> {
+        match self {
+            Self::Model(model) => model,
+            Self::Equilibrium(at) => at.model(),
+        }
+    }
+}
+
+/// What begins the first step.
+fn first<const D: usize>(
+    model: Model<D>,
+    pairs: &[([usize; 2], PairOptions)],
+    options: &SolveOptions,
+    (supports, load): (Constraints<D>, Vec<[f64; D]>),
+) -> anyhow::Result<Equilibrium<D>> {
+    let contact = Options { threads: options.threads, ..Options::new(EnergyLaw::depth(0.0)) };
+    let problem = Problem { supports, load, pairs: pairs.to_vec(), ..Problem::new(model, contact) };
+    let mut at = Equilibrium::new(problem)?;
+    let SolveOptions { tolerance, penetration, .. } = *options;
+    at.settings = NewtonSettings { tolerance, penetration, most_iterations: 100, ..NewtonSettings::default() };
+    Ok(at)
+}

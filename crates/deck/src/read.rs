@@ -1,0 +1,25 @@
+//! What a file says: its keywords in their order, each with its line.
+//!
+//! `deck` (all of it) · `scope` (which keyword stands where) · `words` (parameters that a keyword may have) · `names` (nodes, elements and
+//! their sets) · `elements` (types that are solved, and their faces) · `material`, `section` · `amplitude` · `surface` ·
+//! `interaction` (pairs, friction, ties) · `step` (supports and loads) · `output` (requests that change nothing)
+
+mod amplitude;
+mod deck;
+mod elements;
+mod interaction;
+mod material;
+mod names;
+mod output;
+mod scope;
+mod section;
+mod step;
+mod surface;
+mod words;
+
+pub(crate) use amplitude::Amplitude;
+pub use deck::{Deck, Note};
+pub(crate) use elements::face_corners;
+pub(crate) use names::Kind;
+pub(crate) use step::{Boundary, Load, LoadKind, Step};
+pub(crate) use surface::SurfaceRow;

@@ -1,0 +1,286 @@
+//! The whole of a file.
+
+use super::amplitude::Amplitude;
+use super::elements::solved;
+use super::interaction::{Interaction, PairRow, TieRow};
+use super::material::MaterialRow;
+use super::names::{Kind, Names};
+use super::output::REQUESTS;
+use super::scope::Scope;
+use super::section::SectionRow;
+use super::step::Step;
+use super::surface::Surfaces;
+use super::words::only;
+use crate::Fault;
+use fmc_mesh_io::{Kind as Filled, Mesh};
+use fmc_mesh_io::inp::{Expanded, Keyword, Lines, fields, label};
+use std::collections::BTreeMap;
+use std::path::Path;
+
+/// Something that is taken in another sense than the file may mean.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Note {
+    /// Its line.
+    pub line: usize,
+    /// A sentence.
+    pub message: String,
+}
+
+impl Note {
+    pub(super) fn new(line: usize, message: impl Into<String>) -> Self {
+        Self { line, message: message.into() }
+    }
+}
+
+/// What a file says.
+pub struct Deck {
+    /// Nodes and elements.
+    pub mesh: Mesh,
+    /// What is taken in another sense than the file may mean.
+    pub notes: Vec<Note>,
+    pub(crate) names: Names,
+    pub(crate) surfaces: Surfaces,
+    pub(crate) materials: BTreeMap<String, MaterialRow>,
+    pub(crate) sections: Vec<SectionRow>,
+    pub(crate) amplitudes: BTreeMap<String, Amplitude>,
+    pub(crate) interactions: BTreeMap<String, Interaction>,
+    pub(crate) pairs: Vec<PairRow>,
+    pub(crate) ties: Vec<TieRow>,
+    /// What holds from the start.
+    pub(crate) initial: Step,
+    pub(crate) steps: Vec<Step>,
+    input: Expanded,
+}
+
+/// What a keyword may belong to that stands before it.
+#[derive(Default)]
+struct Open {
+    scope: Option<Scope>,
+    material: Option<String>,
+    interaction: Option<String>,
+    is_in_step: bool,
+    variants: Vec<String>,
+    requests: Vec<String>,
+}
+
+impl Deck {
+    /// Reads a file, with those that it includes.
+    ///
+    /// # Errors
+    /// A sentence that begins with the file, and the line if it is about one.
+    pub fn read(path: &Path) -> Result<Self, String> {
+        let named = |error: &dyn std::fmt::Display| format!("{}: {error}", path.display());
+        let bytes = std::fs::read(path).map_err(|error| named(&error))?;
+        let input = Expanded::new(&String::from_utf8_lossy(&bytes), Some(path)).map_err(|e| named(&format!("{e:#}")))?;
+        let located = |input: &Expanded, fault: Fault| format!("{}: {}", input.source(fault.line), fault.message);
+        let mesh = Mesh::of_input(&input).map_err(|error| located(&input, error.into()))?;
+        let text = input.text.clone();
+        let mut deck = Self::empty(mesh, input);
+        match deck.take(&text) {
+            Ok(()) => Ok(deck),
+            Err(fault) => Err(deck.located(&fault)),
+        }
+    }
+
+    /// A fault as editors know it: file, line and sentence.
+    pub fn located(&self, fault: &Fault) -> String {
+        format!("{}: {}", self.input.source(fault.line), fault.message)
+    }
+
+    /// The line of a step, from 1.
+    pub fn step_line(&self, number: usize) -> usize {
+        self.steps.get(number.wrapping_sub(1)).map_or(1, |step| step.line)
+    }
+
+    /// Dimension of the space that the bodies fill.
+    ///
+    /// # Errors
+    /// If elements of the plane do not lie in one.
+    pub fn dimension(&self) -> Result<usize, Fault> {
+        match self.mesh.kind() {
+            Filled::Flat => Ok(2),
+            Filled::Solid => Ok(3),
+            Filled::Surface => Err(Fault::new(1, "elements of plane strain do not lie in a plane z = const")),
+        }
+    }
+
+    fn empty(mesh: Mesh, input: Expanded) -> Self {
+        Self {
+            names: Names::new(&mesh),
+            mesh,
+            notes: Vec::new(),
+            surfaces: Surfaces::default(),
+            materials: BTreeMap::new(),
+            sections: Vec::new(),
+            amplitudes: BTreeMap::new(),
+            interactions: BTreeMap::new(),
+            pairs: Vec::new(),
+            ties: Vec::new(),
+            initial: Step::empty(1),
+            steps: Vec::new(),
+            input,
+        }
+    }
+
+    fn take(&mut self, text: &str) -> Result<(), Fault> {
+        let mut lines = Lines::new(text);
+        let mut open = Open::default();
+        while let Some(keyword) = lines.keyword() {
+            self.take_keyword(&keyword, &mut lines, &mut open)?;
+        }
+        let last = text.lines().count();
+        if open.is_in_step {
+            return Err(Fault::new(last, "the file ends within a *STEP"));
+        }
+        if self.steps.is_empty() {
+            return Err(Fault::new(last, "there is no *STEP: nothing is solved"));
+        }
+        if !open.variants.is_empty() {
+            let names = open.variants.join(", ");
+            self.notes.push(Note::new(1, format!("{names}: integrated in full, as without their last letters")));
+        }
+        if !open.requests.is_empty() {
+            let names = open.requests.join(", *");
+            self.notes.push(Note::new(1, format!("*{names}: what is written does not depend on these")));
+        }
+        Ok(())
+    }
+
+    fn take_keyword(&mut self, keyword: &Keyword, lines: &mut Lines, open: &mut Open) -> Result<(), Fault> {
+        if let Some(scope) = open.scope.clone().unwrap_or(Scope::Model).after(keyword)? {
+            if matches!(scope, Scope::Instance(_)) {
+                self.names.instance(keyword);
+                // How it is placed the mesh has read.
+                while lines.data().is_some() {}
+            }
+            open.scope = Some(scope);
+            return Ok(());
+        }
+        let scope = open.scope.clone().unwrap_or(Scope::Model);
+        let name = keyword.name.as_str();
+        if let Some(material) = open.material.as_ref().and_then(|name| self.materials.get_mut(name)) {
+            if material.read(keyword, lines)? {
+                return Ok(());
+            }
+            open.material = None;
+        }
+        if let Some(interaction) = open.interaction.as_ref().and_then(|name| self.interactions.get_mut(name)) {
+            if interaction.read(keyword, lines, &mut self.notes)? {
+                return Ok(());
+            }
+            open.interaction = None;
+        }
+        if REQUESTS.contains(&name) {
+            while lines.data().is_some() {}
+            if !open.requests.iter().any(|known| known == name) {
+                open.requests.push(name.to_owned());
+            }
+            return Ok(());
+        }
+        match name {
+            "HEADING" => while lines.data().is_some() {},
+            // Its text stands in its place.
+            "INCLUDE" => {}
+            "NODE" => self.take_rows(Kind::Node, 1, keyword, &scope, lines)?,
+            "ELEMENT" => {
+                let kind = keyword.required("TYPE")?;
+                let (cell_type, is_variant) = solved(keyword.line, kind)?;
+                if self.mesh.cells().next().is_some_and(|(first, ..)| first.dimension() != cell_type.dimension()) {
+                    return Err(Fault::new(keyword.line, "there are elements of the plane beside such of space"));
+                }
+                if is_variant && !open.variants.iter().any(|known| known.eq_ignore_ascii_case(kind)) {
+                    open.variants.push(kind.to_uppercase());
+                }
+                self.take_rows(Kind::Cell, cell_type.node_count() + 1, keyword, &scope, lines)?;
+            }
+            "NSET" => self.names.read(Kind::Node, keyword, &scope, lines)?,
+            "ELSET" => self.names.read(Kind::Cell, keyword, &scope, lines)?,
+            "SURFACE" => self.surfaces.read(keyword, &scope, lines)?,
+            "SOLID SECTION" => self.sections.push(SectionRow::read(keyword, &scope, lines)?),
+            "MATERIAL" => {
+                let material = MaterialRow::begin(keyword)?;
+                let name = material.name.to_uppercase();
+                open.material = Some(name.clone());
+                if self.materials.insert(name, material).is_some() {
+                    return Err(Fault::new(keyword.line, "this material is there twice"));
+                }
+            }
+            "AMPLITUDE" => {
+                let name = keyword.required("NAME")?.to_uppercase();
+                let amplitude = Amplitude::read(keyword, lines)?;
+                self.amplitudes.insert(name, amplitude);
+            }
+            "SURFACE INTERACTION" => {
+                let interaction = Interaction::begin(keyword, lines)?;
+                open.interaction = Some(interaction.name.clone());
+                self.interactions.insert(interaction.name.clone(), interaction);
+            }
+            "CONTACT PAIR" => self.pairs.extend(PairRow::read(keyword, lines, &mut self.notes)?),
+            "TIE" => self.ties.extend(TieRow::read(keyword, lines, &mut self.notes)?),
+            _ => self.take_step_keyword(keyword, lines, open)?,
+        }
+        Ok(())
+    }
+
+    fn take_step_keyword(&mut self, keyword: &Keyword, lines: &mut Lines, open: &mut Open) -> Result<(), Fault> {
+        let line = keyword.line;
+        let step = match self.steps.last_mut() {
+            Some(step) if open.is_in_step => Some(step),
+            _ => None,
+        };
+        match (keyword.name.as_str(), step) {
+            ("STEP", None) => {
+                let step = Step::begin(keyword, lines)?;
+                open.is_in_step = true;
+                self.steps.push(step);
+            }
+            ("END STEP", Some(step)) => {
+                only(keyword, &[])?;
+                open.is_in_step = false;
+                if !step.is_static {
+                    return Err(Fault::new(step.line, "this step has no *STATIC"));
+                }
+            }
+            ("STATIC", Some(step)) => step.read_static(keyword, lines)?,
+            ("BOUNDARY", Some(step)) => step.read_boundary(keyword, lines)?,
+            ("BOUNDARY", None) => self.initial.read_boundary(keyword, lines)?,
+            ("CLOAD", Some(step)) => step.read_forces(keyword, lines)?,
+            ("DLOAD" | "DSLOAD", Some(step)) => step.read_spread(keyword, lines)?,
+            ("STEP" | "END STEP" | "STATIC" | "CLOAD" | "DLOAD" | "DSLOAD", _) => {
+                return Err(Fault::new(line, format!("*{} stands where none can be", keyword.name)));
+            }
+            (name, _) => return Err(Fault::new(line, format!("*{name} is not known"))),
+        }
+        Ok(())
+    }
+
+    /// Passes over rows of nodes or elements, which the mesh has, and puts their labels into the set that the keyword names.
+    fn take_rows(
+        &mut self,
+        kind: Kind,
+        size: usize,
+        keyword: &Keyword,
+        scope: &Scope,
+        lines: &mut Lines,
+    ) -> Result<(), Fault> {
+        let (parameter, known): (_, &[&str]) = match kind {
+            Kind::Node => ("NSET", &["NSET", "SYSTEM", "INPUT"]),
+            Kind::Cell => ("ELSET", &["TYPE", "ELSET", "INPUT"]),
+        };
+        only(keyword, known)?;
+        let mut labels = Vec::new();
+        while let Some((line, text)) = lines.data() {
+            let mut count = fields(text).count();
+            labels.push(label(line, fields(text).next().unwrap_or_default())?);
+            // An element may take several lines.
+            while count < size && kind == Kind::Cell {
+                let Some((_, more)) = lines.data() else { break };
+                count += fields(more).count();
+            }
+        }
+        if let Some(set) = keyword.value(parameter) {
+            self.names.put(kind, scope, set, keyword.line, &labels);
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,41 @@
+//! Element types that are solved, and their faces.
+
+use crate::Fault;
+use fmc_contact::CellType;
+use fmc_mesh_io::inp::cell_type_of_element;
+
+/// Types that are solved, up to their variants.
+const SOLVED: [&str; 9] = ["CPE3", "CPE4", "CPE6", "CPE8", "C3D4", "C3D8", "C3D10", "C3D20", "C3D27"];
+
+/// The cell of an element type, and whether it is a variant that is integrated in full here.
+pub(super) fn solved(line: usize, name: &str) -> Result<(CellType, bool), Fault> {
+    let upper = name.to_uppercase();
+    let stem = upper.trim_end_matches(|c: char| c.is_ascii_alphabetic());
+    let refused = |why: String| Err(Fault::new(line, format!("elements of type {name} are not solved: {why}")));
+    match (SOLVED.contains(&stem), cell_type_of_element(&upper)) {
+        (true, Some(cell_type)) if !upper.ends_with(['T', 'P']) => Ok((cell_type, stem != upper)),
+        (true, _) => refused("temperatures and pore pressures are not known".to_owned()),
+        _ if upper.starts_with("CPS") || upper.starts_with("M3D") => {
+            refused("plane stress is not known; 2D is plane strain (CPE)".to_owned())
+        }
+        _ if upper.starts_with("CAX") => refused("axisymmetry is not known".to_owned()),
+        _ => refused(format!("known are {}, with their variants R, I, H, M", SOLVED.join(", "))),
+    }
+}
+
+/// Corners of face `face` of a cell, from 0, in the order of `S1`, `S2`, …; none if there is no such face.
+pub(crate) fn face_corners(cell_type: CellType, face: usize) -> Option<&'static [usize]> {
+    const TRIANGLE: [&[usize]; 3] = [&[0, 1], &[1, 2], &[2, 0]];
+    const QUADRILATERAL: [&[usize]; 4] = [&[0, 1], &[1, 2], &[2, 3], &[3, 0]];
+    const TETRAHEDRON: [&[usize]; 4] = [&[0, 1, 2], &[0, 3, 1], &[1, 3, 2], &[2, 3, 0]];
+    const HEXAHEDRON: [&[usize]; 6] =
+        [&[0, 1, 2, 3], &[4, 7, 6, 5], &[0, 4, 5, 1], &[1, 5, 6, 2], &[2, 6, 7, 3], &[3, 7, 4, 0]];
+    let faces: &[&[usize]] = match cell_type.straight() {
+        CellType::Tri3 => &TRIANGLE,
+        CellType::Quad4 => &QUADRILATERAL,
+        CellType::Tet4 => &TETRAHEDRON,
+        CellType::Hex8 => &HEXAHEDRON,
+        _ => &[],
+    };
+    faces.get(face).copied()
+}

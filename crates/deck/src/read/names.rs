@@ -1,0 +1,228 @@
+//! Nodes and elements by their labels, and the sets of them.
+
+use super::scope::Scope;
+use super::words::only;
+use crate::Fault;
+use fmc_mesh_io::Mesh;
+use fmc_mesh_io::inp::{Keyword, Lines, fields, label};
+use std::collections::BTreeMap;
+
+/// Nodes or elements.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) enum Kind {
+    Node,
+    Cell,
+}
+
+impl Kind {
+    fn word(self) -> &'static str {
+        if self == Self::Node { "node" } else { "element" }
+    }
+}
+
+/// What a set was given.
+#[derive(Clone, Debug)]
+struct Member {
+    line: usize,
+    /// Name of the instance in which labels count, if the keyword names one.
+    instance: Option<String>,
+    what: What,
+}
+
+#[derive(Clone, Debug)]
+enum What {
+    /// First, last, step.
+    Labels(u64, u64, u64),
+    /// A label or a set, perhaps of an instance.
+    Name(String),
+}
+
+/// An instance of a part.
+#[derive(Clone, Debug)]
+struct Instance {
+    name: String,
+    part: Option<String>,
+}
+
+/// All labels and sets.
+#[derive(Debug, Default)]
+pub(crate) struct Names {
+    instances: Vec<Instance>,
+    /// Index in the mesh, by number of the instance and label.
+    labels: BTreeMap<(Kind, Option<usize>, u64), usize>,
+    sets: BTreeMap<(Kind, Scope, String), Vec<Member>>,
+}
+
+/// Sets within sets, at most.
+const MOST_LEVELS: usize = 50;
+
+impl Names {
+    /// Labels of a mesh.
+    pub(super) fn new(mesh: &Mesh) -> Self {
+        let mut names = Self::default();
+        let instance_of = |node: usize| mesh.instances.iter().position(|instance| instance.nodes.contains(&node));
+        // Instances are many or nodes are: each is looked up once.
+        match mesh.instances.is_empty() {
+            true => names.add(Kind::Node, mesh.node_tags.iter().enumerate().map(|(node, &tag)| (None, tag, node))),
+            false => {
+                let tags = mesh.node_tags.iter().enumerate();
+                names.add(Kind::Node, tags.map(|(node, &tag)| (instance_of(node), tag, node)));
+            }
+        }
+        let has_instances = !mesh.instances.is_empty();
+        let number = |group: Option<i64>| group.filter(|_| has_instances).map(|group| group as usize - 1);
+        let cells = mesh.cells().enumerate().map(|(cell, (_, _, tag, group))| (number(group), tag, cell));
+        names.add(Kind::Cell, cells.collect::<Vec<_>>());
+        names.instances =
+            mesh.instances.iter().map(|i| Instance { name: i.name.to_uppercase(), part: None }).collect();
+        names
+    }
+
+    fn add(&mut self, kind: Kind, entries: impl IntoIterator<Item = (Option<usize>, u64, usize)>) {
+        self.labels.extend(entries.into_iter().map(|(instance, label, index)| ((kind, instance, label), index)));
+    }
+
+    /// Notes which part an instance is of.
+    pub(super) fn instance(&mut self, keyword: &Keyword) {
+        let value = |name| keyword.value(name).map(str::to_uppercase);
+        if let Some(instance) = self.instances.iter_mut().find(|instance| Some(&instance.name) == value("NAME").as_ref()) {
+            instance.part = value("PART");
+        }
+    }
+
+    /// Reads `*NSET` or `*ELSET`.
+    pub(super) fn read(
+        &mut self,
+        kind: Kind,
+        keyword: &Keyword,
+        scope: &Scope,
+        lines: &mut Lines,
+    ) -> Result<(), Fault> {
+        let parameter = if kind == Kind::Node { "NSET" } else { "ELSET" };
+        only(keyword, &[parameter, "GENERATE", "INSTANCE", "INTERNAL", "UNSORTED"])?;
+        let name = keyword.required(parameter)?.to_owned();
+        let instance = keyword.value("INSTANCE").map(str::to_owned);
+        let mut members = Vec::new();
+        while let Some((line, text)) = lines.data() {
+            let of = |what| Member { line, instance: instance.clone(), what };
+            if keyword.value("GENERATE").is_none() {
+                let names = fields(text).filter(|field| !field.is_empty()).map(|field| field.trim_matches('"'));
+                members.extend(names.map(|name| of(What::Name(name.to_owned()))));
+                continue;
+            }
+            let numbers = fields(text).map(|field| label(line, field)).collect::<anyhow::Result<Vec<u64>>>()?;
+            members.push(match numbers[..] {
+                [first, last] => of(What::Labels(first, last, 1)),
+                [first, last, step] => of(What::Labels(first, last, step)),
+                _ => return Err(Fault::new(line, "expected first, last and step of a set")),
+            });
+        }
+        self.extend(kind, scope, &name, members);
+        Ok(())
+    }
+
+    /// Adds labels to a set.
+    pub(super) fn put(&mut self, kind: Kind, scope: &Scope, name: &str, line: usize, labels: &[u64]) {
+        let member = |&label: &u64| Member { line, instance: None, what: What::Labels(label, label, 1) };
+        self.extend(kind, scope, name, labels.iter().map(member).collect());
+    }
+
+    fn extend(&mut self, kind: Kind, scope: &Scope, name: &str, members: Vec<Member>) {
+        self.sets.entry((kind, scope.clone(), name.to_uppercase())).or_default().extend(members);
+    }
+
+    /// Instances of a scope: all of a part, the one of an instance, none of the model.
+    pub(crate) fn instances_of(&self, scope: &Scope) -> Vec<Option<usize>> {
+        let matching = |of: &dyn Fn(&Instance) -> bool| {
+            let numbers = self.instances.iter().enumerate().filter(|(_, instance)| of(instance));
+            numbers.map(|(number, _)| Some(number)).collect()
+        };
+        match scope {
+            Scope::Model => vec![None],
+            Scope::Part(part) => matching(&|instance| instance.part.as_ref() == Some(part)),
+            Scope::Instance(name) => matching(&|instance| instance.name == *name),
+        }
+    }
+
+    /// Scopes in which names of an instance are looked for.
+    pub(crate) fn scopes_of(&self, instance: Option<usize>) -> Vec<Scope> {
+        let Some(Instance { name, part }) = instance.map(|number| &self.instances[number]) else {
+            return vec![Scope::Model];
+        };
+        [Some(Scope::Instance(name.clone())), part.clone().map(Scope::Part)].into_iter().flatten().collect()
+    }
+
+    /// The number of an instance, and the rest of a name `instance.rest`.
+    pub(crate) fn split<'a>(&self, name: &'a str) -> (Option<usize>, &'a str) {
+        // Names of instances may have points in them.
+        let is = |prefix: &str| self.instances.iter().position(|instance| instance.name == prefix.to_uppercase());
+        let found = name.match_indices('.').find_map(|(at, _)| Some((is(&name[..at])?, &name[at + 1..])));
+        found.map_or((None, name), |(number, rest)| (Some(number), rest))
+    }
+
+    /// Nodes or elements of a set or label, ascending; `instance` is where it is looked for.
+    pub(crate) fn find(
+        &self,
+        kind: Kind,
+        instance: Option<usize>,
+        name: &str,
+        line: usize,
+    ) -> Result<Vec<usize>, Fault> {
+        let mut found = Vec::new();
+        self.collect(kind, instance, name, line, 0, &mut found)?;
+        found.sort_unstable();
+        found.dedup();
+        Ok(found)
+    }
+
+    fn collect(
+        &self,
+        kind: Kind,
+        instance: Option<usize>,
+        name: &str,
+        line: usize,
+        level: usize,
+        found: &mut Vec<usize>,
+    ) -> Result<(), Fault> {
+        if level > MOST_LEVELS {
+            return Err(Fault::new(line, format!("set {name} contains itself")));
+        }
+        let (instance, rest) = match instance {
+            None => self.split(name),
+            some => (some, name),
+        };
+        if let Ok(label) = rest.parse::<u64>() {
+            let index = self.labels.get(&(kind, instance, label));
+            found.push(*index.ok_or_else(|| Fault::new(line, format!("there is no {} {name}", kind.word())))?);
+            return Ok(());
+        }
+        let key = rest.to_uppercase();
+        let of = |scope: Scope| self.sets.get(&(kind, scope, key.clone()));
+        let Some(members) = self.scopes_of(instance).into_iter().find_map(of) else {
+            return Err(Fault::new(line, format!("there is no {} set '{name}'", kind.word())));
+        };
+        for Member { line, instance: named, what } in members {
+            let instance = match named {
+                Some(name) => {
+                    let number = self.instances.iter().position(|i| i.name == name.to_uppercase());
+                    Some(number.ok_or_else(|| Fault::new(*line, format!("there is no instance '{name}'")))?)
+                }
+                None => instance,
+            };
+            match what {
+                What::Labels(first, last, _) if first > last => {}
+                What::Labels(first, last, step) => {
+                    let range = self.labels.range((kind, instance, *first)..=(kind, instance, *last));
+                    let before = found.len();
+                    found.extend(range.filter(|((.., label), _)| (label - first) % step == 0).map(|(_, index)| *index));
+                    if found.len() == before {
+                        let word = kind.word();
+                        return Err(Fault::new(*line, format!("there is no {word} {first} to {last} of set '{name}'")));
+                    }
+                }
+                What::Name(name) => self.collect(kind, instance, name, *line, level + 1, found)?,
+            }
+        }
+        Ok(())
+    }
+}
