@@ -53,7 +53,8 @@ impl Places {
             let cell_type = all[cells[0]].0;
             for &cell in cells {
                 if materials[cell].0 != material {
-                    let message = format!("{name} has two materials: solved are bodies of one, or bodies that are tied");
+                    let message =
+                        format!("{name} has two materials: solved are bodies of one, or bodies that are tied");
                     return Err(Fault::new(materials[cell].1, message));
                 }
                 if all[cell].0 != cell_type {
@@ -121,7 +122,8 @@ fn materials(deck: &Deck, is_finite: bool) -> Result<Vec<(Material, usize)>, Fau
     let mut found: Vec<Option<(Material, usize)>> = vec![None; deck.mesh.cell_count()];
     for section in &deck.sections {
         let row = deck.materials.get(&section.material.to_uppercase());
-        let row = row.ok_or_else(|| Fault::new(section.line, format!("there is no material '{}'", section.material)))?;
+        let row =
+            row.ok_or_else(|| Fault::new(section.line, format!("there is no material '{}'", section.material)))?;
         let material = row.material(is_finite)?;
         for instance in deck.names.instances_of(&section.scope) {
             for cell in deck.names.find(Kind::Cell, instance, &section.set, section.line)? {

@@ -12,9 +12,7 @@ pub(super) fn notes(deck: &Deck, is_finite: bool) -> Result<Vec<Note>, Fault> {
             let message = format!("with NLGEOM, {} is a neo-Hookean solid of the same constants", row.name);
             notes.push(Note { line: row.line, message });
         }
-        let is_pressure = |kind: &LoadKind| {
-            matches!(kind, LoadKind::Pressure(_) | LoadKind::OnSurface)
-        };
+        let is_pressure = |kind: &LoadKind| matches!(kind, LoadKind::Pressure(_) | LoadKind::OnSurface);
         if let Some(load) = loads().find(|load| is_pressure(&load.kind)) {
             let message = "pressure keeps the direction and area of the undeformed face".to_owned();
             notes.push(Note { line: load.line, message });

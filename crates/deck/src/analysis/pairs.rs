@@ -24,9 +24,10 @@ pub(super) fn pairs<const D: usize>(deck: &Deck, bodies: Bodies<D>) -> Result<Pa
         }
     };
     for row in &deck.pairs {
-        let interaction = deck.interactions.get(&row.interaction).ok_or_else(|| {
-            Fault::new(row.line, format!("there is no *SURFACE INTERACTION '{}'", row.interaction))
-        })?;
+        let interaction = deck
+            .interactions
+            .get(&row.interaction)
+            .ok_or_else(|| Fault::new(row.line, format!("there is no *SURFACE INTERACTION '{}'", row.interaction)))?;
         let options = PairOptions {
             law: interaction.stiffness.map(EnergyLaw::depth),
             friction_coefficient: (interaction.friction > 0.0).then_some(interaction.friction),

@@ -32,6 +32,8 @@ pub struct StepResult {
     pub residual: f64,
     /// Sum of what holds the bodies.
     pub reaction: [f64; 3],
+    /// Names of node sets whose reactions the file asks for, and the sum of each.
+    pub sets: Vec<(String, [f64; 3])>,
     /// Sum of the loads.
     pub load: [f64; 3],
     /// Largest displacement of a node.
@@ -45,12 +47,24 @@ pub struct StepResult {
 }
 
 impl StepResult {
-    pub(super) fn new<const D: usize>(at: &Equilibrium<D>, number: usize, time: f64) -> Self {
+    /// Of a step that ends at a time; `sets` are nodes of the model, by name.
+    pub(super) fn new<const D: usize>(
+        at: &Equilibrium<D>,
+        (number, time): (usize, f64),
+        sets: &[(String, Vec<usize>)],
+    ) -> Self {
         let (balance, model) = (at.balance(), at.model());
-        let mut reaction = [0.0; 3];
-        for (node, axis, _) in at.problem().supports.iter() {
-            reaction[axis] += balance.residual[node][axis];
-        }
+        let reaction_of = |is_in: &dyn Fn(usize) -> bool| {
+            let mut sum = [0.0; 3];
+            for (node, axis, _) in at.problem().supports.iter().filter(|(node, ..)| is_in(*node)) {
+                sum[axis] += balance.residual[node][axis];
+            }
+            sum
+        };
+        let reaction = reaction_of(&|_| true);
+        let sets =
+            sets.iter().map(|(name, nodes)| (name.clone(), reaction_of(&|node| nodes.binary_search(&node).is_ok())));
+        let sets = sets.collect();
         let in_space = |v: &[f64; D]| std::array::from_fn(|axis| v.get(axis).copied().unwrap_or(0.0));
         let mut load = [0.0; 3];
         at.problem().load.iter().for_each(|f| (0..D).for_each(|axis| load[axis] += f[axis]));
@@ -80,6 +94,7 @@ impl StepResult {
             iterations: at.iterations,
             residual: balance.relative(),
             reaction,
+            sets,
             load,
             displacement: squares.fold(0.0, f64::max).sqrt(),
             pairs: contact.pairs.iter().map(pair).collect(),

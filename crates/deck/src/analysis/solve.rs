@@ -1,11 +1,11 @@
 //! Equilibria of all steps.
 
-use super::{Bodies, Places};
+use super::notes::notes;
 use super::pairs::pairs;
 use super::result::StepResult;
-use super::state::State;
+use super::state::{State, nodes};
+use super::{Bodies, Places};
 use crate::Fault;
-use super::notes::notes;
 use crate::read::{Deck, Note};
 use fmc_contact::contact::PairOptions;
 use fmc_contact::{EnergyLaw, Options};
@@ -37,6 +37,8 @@ pub struct Analysis<'a, const D: usize> {
     places: Places,
     state: State<D>,
     pairs: Vec<([usize; 2], PairOptions)>,
+    /// Node sets whose reactions are asked for.
+    sets: Vec<(String, Vec<usize>)>,
     options: SolveOptions,
     /// Where the nodes and cells of the model stand in the file: nodes, then cells.
     pub order: [Vec<usize>; 2],
@@ -70,9 +72,11 @@ impl<'a, const D: usize> Analysis<'a, D> {
             state.begin(deck, bodies, step)?;
         }
         let state = State::new(deck, bodies)?;
+        let sets = deck.reactions.iter().map(|(set, line)| Ok((set.clone(), nodes(deck, bodies, set, *line)?)));
+        let sets = sets.collect::<Result<_, Fault>>()?;
         let order = [places.nodes.clone(), places.cells.clone()];
         let notes = notes(deck, places.is_finite)?;
-        Ok(Self { deck, model, places, state, pairs, options, order, notes })
+        Ok(Self { deck, model, places, state, pairs, sets, options, order, notes })
     }
 
     /// Number of steps.
@@ -113,7 +117,7 @@ impl<'a, const D: usize> Analysis<'a, D> {
                 }
                 before = time;
                 if time == step.period {
-                    let result = StepResult::new(&at, number + 1, self.state.total_time(time));
+                    let result = StepResult::new(&at, (number + 1, self.state.total_time(time)), &self.sets);
                     reached(&at, result)?;
                 }
                 kept = Kept::Equilibrium(Box::new(at));

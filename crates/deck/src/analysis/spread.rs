@@ -117,7 +117,10 @@ fn gravity<const D: usize>(
     for (body, [of_set, of_body]) in counts.into_iter().enumerate().filter(|(_, counts)| counts[0] > 0) {
         let part = &bodies.model.parts()[body];
         if of_set < of_body {
-            return Err(Fault::new(load.line, format!("GRAV on a part of {} is not known, only on all of it", part.name)));
+            return Err(Fault::new(
+                load.line,
+                format!("GRAV on a part of {} is not known, only on all of it", part.name),
+            ));
         }
         let density = part.material.density;
         let force = bodies.model.body_load(body, std::array::from_fn(|axis| density * direction[axis] / length));

@@ -176,11 +176,21 @@ fn amplitude(deck: &Deck, name: Option<&String>, line: usize) -> Result<Option<A
     found.map(Some).ok_or_else(|| Fault::new(line, format!("there is no amplitude '{name}'")))
 }
 
-/// Nodes of the model of a set.
-fn nodes<const D: usize>(deck: &Deck, bodies: Bodies<D>, set: &str, line: usize) -> Result<Vec<usize>, Fault> {
+/// Nodes of the model of a set, ascending.
+pub(super) fn nodes<const D: usize>(
+    deck: &Deck,
+    bodies: Bodies<D>,
+    set: &str,
+    line: usize,
+) -> Result<Vec<usize>, Fault> {
     let model_node = |node: usize| {
         let label = deck.mesh.node_tags[node];
-        bodies.places.node_of[node].ok_or_else(|| Fault::new(line, format!("node {label} of '{set}' belongs to no element")))
+        bodies.places.node_of[node]
+            .ok_or_else(|| Fault::new(line, format!("node {label} of '{set}' belongs to no element")))
     };
-    deck.names.find(Kind::Node, None, set, line)?.into_iter().map(model_node).collect()
+    let found: Result<Vec<usize>, Fault> =
+        deck.names.find(Kind::Node, None, set, line)?.into_iter().map(model_node).collect();
+    let mut found = found?;
+    found.sort_unstable();
+    Ok(found)
 }

@@ -12,8 +12,8 @@ use super::step::Step;
 use super::surface::Surfaces;
 use super::words::only;
 use crate::Fault;
-use fmc_mesh_io::{Kind as Filled, Mesh};
 use fmc_mesh_io::inp::{Expanded, Keyword, Lines, fields, label};
+use fmc_mesh_io::{Kind as Filled, Mesh};
 use std::collections::BTreeMap;
 use std::path::Path;
 
@@ -46,6 +46,8 @@ pub struct Deck {
     pub(crate) interactions: BTreeMap<String, Interaction>,
     pub(crate) pairs: Vec<PairRow>,
     pub(crate) ties: Vec<TieRow>,
+    /// Sets of nodes whose reactions are asked for, with the line.
+    pub(crate) reactions: Vec<(String, usize)>,
     /// What holds from the start.
     pub(crate) initial: Step,
     pub(crate) steps: Vec<Step>,
@@ -71,7 +73,8 @@ impl Deck {
     pub fn read(path: &Path) -> Result<Self, String> {
         let named = |error: &dyn std::fmt::Display| format!("{}: {error}", path.display());
         let bytes = std::fs::read(path).map_err(|error| named(&error))?;
-        let input = Expanded::new(&String::from_utf8_lossy(&bytes), Some(path)).map_err(|e| named(&format!("{e:#}")))?;
+        let input =
+            Expanded::new(&String::from_utf8_lossy(&bytes), Some(path)).map_err(|e| named(&format!("{e:#}")))?;
         let located = |input: &Expanded, fault: Fault| format!("{}: {}", input.source(fault.line), fault.message);
         let mesh = Mesh::of_input(&input).map_err(|error| located(&input, error.into()))?;
         let text = input.text.clone();
@@ -116,6 +119,7 @@ impl Deck {
             interactions: BTreeMap::new(),
             pairs: Vec::new(),
             ties: Vec::new(),
+            reactions: Vec::new(),
             initial: Step::empty(1),
             steps: Vec::new(),
             input,
@@ -141,7 +145,7 @@ impl Deck {
         }
         if !open.requests.is_empty() {
             let names = open.requests.join(", *");
-            self.notes.push(Note::new(1, format!("*{names}: what is written does not depend on these")));
+            self.notes.push(Note::new(1, format!("*{names}: files and tables do not depend on these")));
         }
         Ok(())
     }
@@ -171,7 +175,16 @@ impl Deck {
             open.interaction = None;
         }
         if REQUESTS.contains(&name) {
-            while lines.data().is_some() {}
+            let mut is_reaction = false;
+            while let Some((_, text)) = lines.data() {
+                is_reaction |= fields(text).any(|field| field.eq_ignore_ascii_case("RF"));
+            }
+            if let (true, "NODE PRINT", Some(set)) = (is_reaction, name, keyword.value("NSET")) {
+                if !self.reactions.iter().any(|(known, _)| known.eq_ignore_ascii_case(set)) {
+                    self.reactions.push((set.to_owned(), keyword.line));
+                }
+                return Ok(());
+            }
             if !open.requests.iter().any(|known| known == name) {
                 open.requests.push(name.to_owned());
             }

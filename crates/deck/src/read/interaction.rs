@@ -44,12 +44,7 @@ impl Interaction {
     }
 
     /// Reads a keyword that belongs to it; `false` if it does not.
-    pub(super) fn read(
-        &mut self,
-        keyword: &Keyword,
-        lines: &mut Lines,
-        notes: &mut Vec<Note>,
-    ) -> Result<bool, Fault> {
+    pub(super) fn read(&mut self, keyword: &Keyword, lines: &mut Lines, notes: &mut Vec<Note>) -> Result<bool, Fault> {
         match keyword.name.as_str() {
             "FRICTION" => {
                 only(keyword, &[])?;
@@ -60,7 +55,8 @@ impl Interaction {
                     return Err(Fault::new(keyword.line, message));
                 }
                 if found.iter().skip(1).flatten().any(|value| *value != 0.0) {
-                    notes.push(Note::new(keyword.line, "the stick slope of *FRICTION is that of the contact stiffness"));
+                    notes
+                        .push(Note::new(keyword.line, "the stick slope of *FRICTION is that of the contact stiffness"));
                 }
             }
             "SURFACE BEHAVIOR" => {

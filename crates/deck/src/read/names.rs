@@ -73,8 +73,7 @@ impl Names {
         let number = |group: Option<i64>| group.filter(|_| has_instances).map(|group| group as usize - 1);
         let cells = mesh.cells().enumerate().map(|(cell, (_, _, tag, group))| (number(group), tag, cell));
         names.add(Kind::Cell, cells.collect::<Vec<_>>());
-        names.instances =
-            mesh.instances.iter().map(|i| Instance { name: i.name.to_uppercase(), part: None }).collect();
+        names.instances = mesh.instances.iter().map(|i| Instance { name: i.name.to_uppercase(), part: None }).collect();
         names
     }
 
@@ -85,7 +84,9 @@ impl Names {
     /// Notes which part an instance is of.
     pub(super) fn instance(&mut self, keyword: &Keyword) {
         let value = |name| keyword.value(name).map(str::to_uppercase);
-        if let Some(instance) = self.instances.iter_mut().find(|instance| Some(&instance.name) == value("NAME").as_ref()) {
+        if let Some(instance) =
+            self.instances.iter_mut().find(|instance| Some(&instance.name) == value("NAME").as_ref())
+        {
             instance.part = value("PART");
         }
     }

@@ -17,7 +17,6 @@ pub(crate) struct SurfaceRow {
 /// A surface.
 #[derive(Clone, Debug)]
 pub(crate) struct Surface {
-    pub(crate) scope: Scope,
     pub(crate) is_of_nodes: bool,
     pub(crate) rows: Vec<SurfaceRow>,
 }
@@ -44,7 +43,7 @@ impl Surfaces {
         if rows.is_empty() {
             return Err(Fault::new(keyword.line, format!("surface {name} is empty")));
         }
-        let surface = Surface { scope: scope.clone(), is_of_nodes, rows };
+        let surface = Surface { is_of_nodes, rows };
         match self.0.insert((scope.clone(), name.clone()), surface) {
             Some(_) => Err(Fault::new(keyword.line, format!("surface {name} is there twice"))),
             None => Ok(()),

@@ -84,11 +84,8 @@ pub fn frd_step<const D: usize>(
 ) -> String {
     let nodes = Numbers::new(deck, order).nodes;
     let mut text = String::new();
-    let displacements: Vec<Vec<f64>> = at
-        .displacement()
-        .iter()
-        .map(|u| (0..3).map(|axis| u.get(axis).copied().unwrap_or(0.0)).collect())
-        .collect();
+    let displacements: Vec<Vec<f64>> =
+        at.displacement().iter().map(|u| (0..3).map(|axis| u.get(axis).copied().unwrap_or(0.0)).collect()).collect();
     let components = ["D1", "D2", "D3"].iter().enumerate();
     let rows: Vec<String> =
         components.map(|(k, name)| format!(" -5  {name:8}    1    2    {}    0", k + 1)).chain([all()]).collect();
@@ -119,7 +116,20 @@ fn block(
     values: &[Vec<f64>],
 ) {
     put(text, format_args!("    1PSTEP{:26}{:12}{:12}\n", step, 1, step));
-    put(text, format_args!("  100CL  {:3}{:12}{:12}{:20}{:2}{:5}{:10}{:2}\n", 100 + step, real(time), nodes.len(), "", 0, step, "", 1));
+    put(
+        text,
+        format_args!(
+            "  100CL  {:3}{:12}{:12}{:20}{:2}{:5}{:10}{:2}\n",
+            100 + step,
+            real(time),
+            nodes.len(),
+            "",
+            0,
+            step,
+            "",
+            1
+        ),
+    );
     put(text, format_args!(" -4  {name:8}{count:5}    1\n"));
     rows.iter().for_each(|row| put(text, format_args!("{row}\n")));
     for (node, values) in nodes.iter().zip(values) {
@@ -131,7 +141,7 @@ fn block(
 }
 
 /// A number in twelve columns, as C's `%12.5E`: two digits of the exponent. Beyond what these hold it is 0 or the largest.
-fn real(value: f64) -> String {
+pub(super) fn real(value: f64) -> String {
     let value = if value.abs() < 1e-99 { 0.0 } else { value.clamp(-9.99999e99, 9.99999e99) };
     let text = format!("{value:.5E}");
     let (digits, exponent) = text.split_once('E').unwrap_or((&text, "0"));
@@ -150,7 +160,9 @@ mod tests {
 
     #[test]
     fn numbers_take_twelve_columns() {
-        for (value, text) in [(0.0, " 0.00000E+00"), (-1.5, "-1.50000E+00"), (1e-120, " 0.00000E+00"), (2e99, " 2.00000E+99")] {
+        for (value, text) in
+            [(0.0, " 0.00000E+00"), (-1.5, "-1.50000E+00"), (1e-120, " 0.00000E+00"), (2e99, " 2.00000E+99")]
+        {
             assert_eq!(real(value), text);
         }
         assert_eq!(real(-1e300).len(), 12);

@@ -1,26 +1,33 @@
 //! A step as text.
 
+use super::frd::real;
 use crate::analysis::{PairResult, StepResult};
 use std::fmt::Write;
 
 /// What a step has led to, for reading.
 pub fn step_table(step: &StepResult) -> String {
-    let vector = |v: &[f64; 3]| v.map(|x| format!("{x:>13.6e}")).join(" ");
-    let StepResult { number, time, iterations, residual, reaction, load, displacement, pairs, bodies, warnings } = step;
+    let vector = |v: &[f64; 3]| v.map(|x| format!("{:>13}", real(x))).join(" ");
+    let StepResult { number, time, iterations, residual, reaction, sets, load, displacement, pairs, bodies, warnings } =
+        step;
     let mut text = format!(
         "step {number}, time {time}: {iterations} linear solves so far, residual {residual:.1e}, largest displacement \
          {displacement:.6e}\n"
     );
     let width = bodies.iter().map(|(name, _)| name.len()).max().unwrap_or(0).max(9);
+    let width = sets.iter().map(|(name, _)| name.len()).max().unwrap_or(0).max(width);
     let name_of = |pair: &PairResult| format!("{} on {}", pair.names[0], pair.names[1]);
     let width = pairs.iter().map(|pair| name_of(pair).len()).max().unwrap_or(0).max(width);
     let mut line = |name: &str, rest: String| writeln!(text, "  {name:width$} {rest}").expect("writing into a string");
     line("", format!("{:>13} {:>13} {:>13}", "force x", "y", "z"));
     line("loads", vector(load));
     line("reactions", vector(reaction));
+    for (name, sum) in sets {
+        line(name, format!("{}  reactions of this set", vector(sum)));
+    }
     for pair in pairs {
         let kind = if pair.is_tied { "tied" } else { "contact" };
-        let rest = format!("{}  {kind}, area {:.6e}, mean pressure {:.6e}", vector(&pair.force), pair.area, pair.pressure);
+        let rest =
+            format!("{}  {kind}, area {:.6e}, mean pressure {:.6e}", vector(&pair.force), pair.area, pair.pressure);
         line(&name_of(pair), rest);
     }
     for (name, force) in bodies {

@@ -1,0 +1,46 @@
+//! A file solved.
+
+use fmc_deck::{Analysis, Deck, SolveOptions, Solved, StepResult};
+use fmc_solid::fem::Stress;
+use fmc_solid::statics::{NodalPressure, nodal_pressures};
+use std::ops::ControlFlow;
+use std::path::PathBuf;
+
+/// The path of a file of this test.
+pub(crate) fn path(name: &str) -> PathBuf {
+    PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("tests/solve/decks").join(name)
+}
+
+/// What all steps left, and the fields of the last.
+pub(crate) struct Outcome<const D: usize> {
+    pub(crate) steps: Vec<StepResult>,
+    /// Of the cells.
+    pub(crate) stresses: Vec<Stress>,
+    /// Of the nodes.
+    pub(crate) displacement: Vec<[f64; D]>,
+    /// Of the first body.
+    pub(crate) pressures: Vec<NodalPressure<D>>,
+}
+
+/// Solves a file.
+pub(crate) fn solved<const D: usize>(name: &str, options: SolveOptions) -> Outcome<D> {
+    let deck = Deck::read(&path(name)).unwrap();
+    assert_eq!(deck.dimension().unwrap(), D);
+    let analysis = Analysis::<D>::new(&deck, options).unwrap();
+    let mut all = Outcome { steps: Vec::new(), stresses: Vec::new(), displacement: Vec::new(), pressures: Vec::new() };
+    let ended = analysis.solve(&mut |_, _| ControlFlow::Continue(()), &mut |at, step| {
+        all.steps.push(step);
+        all.displacement = at.displacement().to_vec();
+        all.stresses = at.model().stresses(at.displacement());
+        all.pressures = nodal_pressures(at.model(), 0, &at.balance().contact.forces);
+        Ok(())
+    });
+    assert!(matches!(ended, Ok(Solved::Finished)), "{ended:?}");
+    all
+}
+
+/// Largest difference of the stress of any cell from one that is the same everywhere.
+pub(crate) fn largest_off(stresses: &[Stress], expected: [f64; 6]) -> f64 {
+    let off = |stress: &Stress| stress.0.iter().zip(expected).map(|(s, e)| (s - e).abs()).fold(0.0, f64::max);
+    stresses.iter().map(off).fold(0.0, f64::max)
+}
