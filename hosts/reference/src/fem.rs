@@ -23,6 +23,7 @@ mod constraints;
 mod cube_root;
 mod elements;
 mod error;
+mod extrapolated;
 mod face_quadrature;
 mod faces;
 mod frequency;

@@ -13,8 +13,7 @@ pub(super) fn pressures<const D: usize>(at: &Equilibrium<D>) -> Vec<f64> {
     pressures
 }
 
-/// Stress at every node: the mean of the cells about it.
+/// Stress at every node, carried there from the Gauss points: the mean of the cells about it, as CalculiX has it.
 pub(super) fn stresses<const D: usize>(at: &Equilibrium<D>) -> Vec<Stress> {
-    let model = at.model();
-    model.nodal_stresses(&model.stresses(at.displacement()))
+    at.model().extrapolated_stresses(at.displacement())
 }

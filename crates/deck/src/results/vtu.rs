@@ -6,7 +6,7 @@ use fmc_mesh_io::{VtkCell, VtuWriter, in_space};
 use fmc_solid::statics::Equilibrium;
 
 /// The bodies where they were, undeformed. Of the nodes: `displacement`, `contact_force`, `contact_pressure`, `stress` (Cauchy: xx, yy, zz,
-/// xy, yz, xz; the mean of the cells about each), `reaction`, `label`. Of the cells: `stress`, `von_mises`, `body` from 0, `label`.
+/// xy, yz, xz; carried there from the Gauss points, the mean of the cells about each), `reaction`, `label`. Of the cells: `stress`, `von_mises`, `body` from 0, `label`.
 pub fn vtu<const D: usize>(deck: &Deck, order: &[Vec<usize>; 2], at: &Equilibrium<D>) -> VtuWriter {
     let model = at.model();
     let mut grid = VtuWriter::default();

@@ -47,6 +47,17 @@ const HEX_MIDDLES: [&[usize]; 19] = [
     &[0, 1, 2, 3, 4, 5, 6, 7],
 ];
 
+/// Corners about the nodes of a cell that are no corners, in their order.
+pub(super) fn middles(cell_type: CellType) -> Vec<Vec<usize>> {
+    let count = cell_type.node_count() - cell_type.straight().node_count();
+    match cell_type {
+        CellType::Tri6 | CellType::Tet10 => TET_MIDDLES[..count].iter().map(|edge| edge.to_vec()).collect(),
+        CellType::Quad8 | CellType::Quad9 => QUAD_MIDDLES[..count].iter().map(|around| around.to_vec()).collect(),
+        CellType::Hex20 | CellType::Hex27 => HEX_MIDDLES[..count].iter().map(|around| around.to_vec()).collect(),
+        _ => Vec::new(),
+    }
+}
+
 /// A shape function and its derivatives by the reference coordinates, zero beyond the dimension.
 pub(super) type Shape = (f64, [f64; 3]);
 
