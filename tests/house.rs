@@ -65,11 +65,12 @@ const ESTIMATORS: [&[&str]; 2] = [
 ];
 
 /// The crates of the workspace and the fuzz targets, by the folders of their sources.
-const CRATES: [&str; 7] = [
+const CRATES: [&str; 8] = [
     "src",
     "hosts/reference/src",
     "crates/shapes/src",
     "crates/mesh-io/src",
+    "crates/deck/src",
     "benchmarks/src",
     "tools/fmc/src",
     "fuzz/src",

@@ -2,7 +2,7 @@
 //!
 //! `deck` (all of it) · `scope` (which keyword stands where) · `words` (parameters that a keyword may have) · `names` (nodes, elements and
 //! their sets) · `elements` (types that are solved, and their faces) · `material`, `section` · `amplitude` · `surface` ·
-//! `interaction` (pairs, friction, ties) · `step` (supports and loads) · `output` (requests that change nothing)
+//! `interaction` (pairs, friction, ties) · `step` (supports and loads) · `output` (requests that change nothing) · `note` (what is taken in another sense)
 
 mod amplitude;
 mod deck;
@@ -10,6 +10,7 @@ mod elements;
 mod interaction;
 mod material;
 mod names;
+mod note;
 mod output;
 mod scope;
 mod section;
@@ -18,8 +19,9 @@ mod surface;
 mod words;
 
 pub(crate) use amplitude::Amplitude;
-pub use deck::{Deck, Note};
+pub use deck::Deck;
 pub(crate) use elements::face_corners;
 pub(crate) use names::Kind;
+pub use note::Note;
 pub(crate) use step::{Boundary, Load, LoadKind, Step};
 pub(crate) use surface::SurfaceRow;

@@ -5,6 +5,7 @@ use super::elements::solved;
 use super::interaction::{Interaction, PairRow, TieRow};
 use super::material::MaterialRow;
 use super::names::{Kind, Names};
+use super::note::Note;
 use super::output::REQUESTS;
 use super::scope::Scope;
 use super::section::SectionRow;
@@ -16,21 +17,6 @@ use fmc_mesh_io::inp::{Expanded, Keyword, Lines, fields, label};
 use fmc_mesh_io::{Kind as Filled, Mesh};
 use std::collections::BTreeMap;
 use std::path::Path;
-
-/// Something that is taken in another sense than the file may mean.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Note {
-    /// Its line.
-    pub line: usize,
-    /// A sentence.
-    pub message: String,
-}
-
-impl Note {
-    pub(super) fn new(line: usize, message: impl Into<String>) -> Self {
-        Self { line, message: message.into() }
-    }
-}
 
 /// What a file says.
 pub struct Deck {

@@ -1,7 +1,7 @@
 //! What happens between surfaces: contact pairs with their friction, and ties.
 
-use super::deck::Note;
 use super::material::optional_line;
+use super::note::Note;
 use super::words::{numbers, one_of, only, only_line};
 use crate::Fault;
 use fmc_mesh_io::inp::{Keyword, Lines, fields};

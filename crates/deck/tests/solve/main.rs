@@ -4,6 +4,7 @@ mod blocks;
 mod frd;
 mod friction;
 mod hertz;
+mod page;
 mod refusals;
 mod rubber;
 mod scene;
