@@ -80,3 +80,41 @@ fn included_files_have_lines_of_their_own() {
     let message = Deck::read(&folder.join("model.inp")).err().unwrap();
     assert!(message.ends_with("step.inp:3: *WAVE is not known"), "{message}");
 }
+
+/// Whatever stands in a file, there is an answer.
+#[test]
+fn damaged_files_do_not_panic() {
+    let folder = std::env::temp_dir().join(format!("fmc-deck-damaged-{}", std::process::id()));
+    fs::create_dir_all(&folder).unwrap();
+    let file = folder.join("damaged.inp");
+    let mut random = fmc_shapes::Splitmix::new(1);
+    for name in ["patch.inp", "parts.inp", "steps.inp", "friction.inp"] {
+        let text = fs::read_to_string(path(name)).unwrap();
+        let lines: Vec<&str> = text.lines().collect();
+        for round in 0..150 {
+            let mut damaged = text.clone().into_bytes();
+            if round % 3 == 0 {
+                // Without a line, or with one of another place.
+                let at = |random: &mut fmc_shapes::Splitmix| random.bits() as usize % lines.len();
+                let (gone, from, to) = (at(&mut random), at(&mut random), at(&mut random));
+                let mut changed: Vec<&str> = lines.clone();
+                changed[to] = lines[from];
+                changed.remove(gone);
+                damaged = changed.join("\n").into_bytes();
+            } else {
+                for _ in 0..3 {
+                    let at = random.bits() as usize % damaged.len();
+                    damaged[at] = b"0123456789,.-*=\nABCDEFabcdef "[random.bits() as usize % 29];
+                }
+            }
+            fs::write(&file, &damaged).unwrap();
+            let Ok(deck) = Deck::read(&file) else { continue };
+            match deck.dimension() {
+                Ok(2) => drop(Analysis::<2>::new(&deck, SolveOptions::default())),
+                Ok(_) => drop(Analysis::<3>::new(&deck, SolveOptions::default())),
+                Err(_) => {}
+            }
+        }
+    }
+    fs::remove_dir_all(folder).unwrap();
+}
