@@ -2,13 +2,24 @@
 
 use super::Bodies;
 use crate::Fault;
-use crate::read::{Deck, Kind, SurfaceRow};
+use crate::read::{Deck, Kind, PairRow, SurfaceRow};
 use fmc_contact::EnergyLaw;
 use fmc_contact::contact::PairOptions;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Options by pair of bodies.
 pub(crate) type Pairs = BTreeMap<[usize; 2], PairOptions>;
+
+/// Pressure by penetration, if the file gives it; multipliers then leave the penetration as it is, so that it holds for all pairs.
+pub(super) fn stiffness(deck: &Deck) -> Result<Option<f64>, Fault> {
+    let of = |row: &PairRow| deck.interactions.get(&row.interaction).and_then(|interaction| interaction.stiffness);
+    let Some(row) = deck.pairs.iter().find(|row| of(row).is_some()) else { return Ok(None) };
+    let is_mixed = deck.pairs.iter().any(|row| of(row).is_none()) || !deck.ties.is_empty();
+    match is_mixed {
+        true => Err(Fault::new(row.line, "LINEAR is known for all contact pairs, and not beside *TIE")),
+        false => Ok(of(row)),
+    }
+}
 
 /// The pairs that a file names, and that all others are left out.
 pub(super) fn pairs<const D: usize>(deck: &Deck, bodies: Bodies<D>) -> Result<Pairs, Fault> {

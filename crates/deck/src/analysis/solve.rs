@@ -1,7 +1,7 @@
 //! Equilibria of all steps.
 
 use super::notes::notes;
-use super::pairs::pairs;
+use super::pairs::{pairs, stiffness};
 use super::result::StepResult;
 use super::state::{State, nodes};
 use super::{Bodies, Places};
@@ -39,6 +39,8 @@ pub struct Analysis<'a, const D: usize> {
     pairs: Vec<([usize; 2], PairOptions)>,
     /// Node sets whose reactions are asked for.
     sets: Vec<(String, Vec<usize>)>,
+    /// Pressure by penetration; 0: found by the search.
+    stiffness: f64,
     options: SolveOptions,
     /// Where the nodes and cells of the model stand in the file: nodes, then cells.
     pub order: [Vec<usize>; 2],
@@ -63,6 +65,7 @@ impl<'a, const D: usize> Analysis<'a, D> {
     /// # Errors
     /// What the file names and does not have, and what is not solved.
     pub fn new(deck: &'a Deck, options: SolveOptions) -> Result<Self, Fault> {
+        let stiffness = stiffness(deck)?.unwrap_or(0.0);
         let (places, model) = Places::with_model::<D>(deck, options.threads)?;
         let bodies = Bodies { model: &model, places: &places };
         let pairs = pairs(deck, bodies)?.into_iter().collect();
@@ -76,7 +79,7 @@ impl<'a, const D: usize> Analysis<'a, D> {
         let sets = sets.collect::<Result<_, Fault>>()?;
         let order = [places.nodes.clone(), places.cells.clone()];
         let notes = notes(deck, places.is_finite)?;
-        Ok(Self { deck, model, places, state, pairs, sets, options, order, notes })
+        Ok(Self { deck, model, places, state, pairs, sets, stiffness, options, order, notes })
     }
 
     /// Number of steps.
@@ -102,7 +105,7 @@ impl<'a, const D: usize> Analysis<'a, D> {
             for time in self.state.stages() {
                 let (supports, load) = self.state.at(time, node_count);
                 let mut at = match kept {
-                    Kept::Model(model) => first(model, &self.pairs, &self.options, (supports, load))?,
+                    Kept::Model(model) => first(model, (&self.pairs, self.stiffness), &self.options, (supports, load))?,
                     Kept::Equilibrium(mut at) => {
                         at.next_step(supports, load)?;
                         *at
@@ -145,11 +148,11 @@ impl<const D: usize> Kept<D> {
 /// What begins the first step.
 fn first<const D: usize>(
     model: Model<D>,
-    pairs: &[([usize; 2], PairOptions)],
+    (pairs, stiffness): (&[([usize; 2], PairOptions)], f64),
     options: &SolveOptions,
     (supports, load): (Constraints<D>, Vec<[f64; D]>),
 ) -> anyhow::Result<Equilibrium<D>> {
-    let contact = Options { threads: options.threads, ..Options::new(EnergyLaw::depth(0.0)) };
+    let contact = Options { threads: options.threads, ..Options::new(EnergyLaw::depth(stiffness)) };
     let problem = Problem { supports, load, pairs: pairs.to_vec(), ..Problem::new(model, contact) };
     let mut at = Equilibrium::new(problem)?;
     let SolveOptions { tolerance, penetration, .. } = *options;

@@ -30,8 +30,8 @@ pub fn step_table(step: &StepResult) -> String {
             format!("{}  {kind}, area {:.6e}, mean pressure {:.6e}", vector(&pair.force), pair.area, pair.pressure);
         line(&name_of(pair), rest);
     }
-    for (name, force) in bodies {
-        line(name, format!("{}  contact and ties on it", vector(force)));
+    for (number, (name, force)) in bodies.iter().enumerate() {
+        line(name, format!("{}  contact and ties on body {number}", vector(force)));
     }
     warnings.iter().for_each(|warning| writeln!(text, "  warning: {warning}").expect("writing into a string"));
     text

@@ -22,6 +22,19 @@ fn a_pressure_goes_through_two_blocks() {
     }
 }
 
+/// By a linear overclosure of slope k the blocks penetrate by p/k: the top goes down by as much more, but for what the ends lack.
+#[test]
+fn a_linear_overclosure_keeps_its_penetration() {
+    let text = std::fs::read_to_string(crate::scene::path("patch.inp")).unwrap();
+    let behaviour = "NAME=PRESS\n*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR\n2e4";
+    let file = std::env::temp_dir().join(format!("fmc-deck-linear-{}.inp", std::process::id()));
+    std::fs::write(&file, text.replacen("NAME=PRESS", behaviour, 1)).unwrap();
+    let outcome = solved::<2>(file.to_str().unwrap(), SolveOptions::default());
+    let down = outcome.displacement.iter().map(|u| u[1]).fold(0.0, f64::min);
+    assert!((down + 0.0182 + 10.0 / 2e4).abs() < 1e-5, "{down}");
+    std::fs::remove_file(file).unwrap();
+}
+
 /// Tied blocks of hexahedra that are pulled by 10; a multiple of the residual.
 #[test]
 fn a_pull_goes_through_tied_blocks() {

@@ -33,6 +33,11 @@ fn what_is_not_known_is_named_by_its_line() {
         ("MATERIAL=SOFT\n*SURFACE", "MATERIAL=HARD\n*SURFACE", "there is no material 'HARD'"),
         ("SUPPER, SLOWER", "SUPPER, SNONE", "there is no surface 'SNONE'"),
         ("INTERACTION=PRESS, TYPE", "INTERACTION=PULL, TYPE", "there is no *SURFACE INTERACTION 'PULL'"),
+        (
+            "*CONTACT PAIR",
+            "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR\n1e4\n*TIE\nSUPPER, SLOWER\n*CONTACT PAIR",
+            "LINEAR is known for all contact pairs",
+        ),
         ("BOTTOM, 2, 2", "BUTTON, 2, 2", "there is no node set 'BUTTON'"),
         ("BOTTOM, 2, 2", "4711, 2, 2", "there is no node 4711"),
         ("BOTTOM, 2, 2", "BOTTOM, 4, 4", "degree of freedom 4 is not known"),
@@ -51,7 +56,7 @@ fn what_is_not_known_is_named_by_its_line() {
         let message = said(&changed, &name);
         let first = changed.find(to).unwrap();
         let line = changed[..first].lines().count() + usize::from(changed[..first].ends_with('\n') || first == 0);
-        let lines: Vec<String> = (line - 1..line + 3).map(|line| format!("{name}:{line}: ")).collect();
+        let lines: Vec<String> = (line - 1..line + 6).map(|line| format!("{name}:{line}: ")).collect();
         assert!(lines.iter().any(|line| message.starts_with(line)), "{to}: {message}, expected {lines:?}");
         assert!(message.contains(expected), "{to}: {message}");
     }
