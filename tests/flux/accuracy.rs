@@ -75,7 +75,7 @@ fn curved_faces_conduct_as_their_curves() {
         let found = flux(&pressed(&scene), &scene.coords, &field(&scene, |mesh, _| 1.0 - mesh as f64), &h);
         let expected = 2.0 * 0.5 * PI;
         let off = out_of(&scene, &found, 0) / expected - 1.0;
-        // Areas are those of straight facets, and pressures are wrong by a part of α⁴ R/90 by the interference.
-        assert!(off.abs() < 0.02, "{inner}: {off:e}");
+        // Half of the area is by the interference larger: 2.5e-4.
+        assert!(off.abs() < 1e-3, "{inner}: {off:e}");
     }
 }

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from fmc_contact import Conductance, Contact
 from fmc_contact.errors import NotPositiveError
+from test_ranks import on_ranks
 
 
 def cells(n, first):
@@ -31,6 +32,15 @@ def test_tables_by_pressure_and_gap(gap, h):
     assert found.flux[is_above].sum() == pytest.approx(6.0 * h, rel=1e-12)
     assert abs(found.flux.sum()) < 1e-12
     assert found.obstacles.shape == (0,)
+
+
+def test_multipliers_bear_pressure_without_penetration():
+    contact, coords, is_above = squares(-0.01)
+    contact.multipliers.augment(coords, 1e-9)
+    touching = coords + np.where(is_above[:, None], [0.0, 0.01], 0.0)
+    assert contact.nodal_contact(touching).pressure.max() == pytest.approx(1.0)
+    found = contact.flux(touching, np.where(is_above, 10.0, 4.0), Conductance(by_pressure=[(0.0, 1.0), (2.0, 5.0)]))
+    assert found.flux[is_above].sum() == pytest.approx(6.0 * 3.0, rel=1e-12)
 
 
 def test_matrix_is_the_derivative_for_every_field():
@@ -97,3 +107,21 @@ def test_bad_input_is_named():
         contact.flux(coords, good, Conductance(by_gap=[1.0, 2.0]))
     with pytest.raises(ValueError, match="obstacles has shape"):
         contact.flux(coords, good, 1.0, obstacles=[1.0])
+
+
+@pytest.mark.parametrize("size", [2, 3])
+def test_every_rank_has_the_bits_of_one(size):
+    def found(comm=None):
+        contact, coords, is_above = squares(-0.01, friction_coefficient=0.3)
+        contact.obstacles.add_half_space((0, 0.02), (0, 1))
+        if comm is not None:
+            contact.ranks.set_communicator(comm)
+        contact.friction.begin_step(coords)
+        moved = coords + np.where(is_above[:, None], [0.1, 0.0], 0.0)
+        flux, heat = contact.flux(moved, coords[:, 0], 2.0, [3.0]), contact.friction_heat(moved)
+        return flux.flux, flux.obstacles, flux.data, flux.indices, heat.nodes, heat.obstacles
+
+    alone = found()
+    assert abs(alone[1][0]) > 0 and alone[4].sum() > 0
+    for of_rank in on_ranks(size, found):
+        assert all(np.array_equal(one, other) for one, other in zip(of_rank, alone)), of_rank
