@@ -79,3 +79,21 @@ fn curved_faces_conduct_as_their_curves() {
         assert!(off.abs() < 1e-3, "{inner}: {off:e}");
     }
 }
+
+/// Of a body that is tilted a part is pressed: pieces are cut where the gap is zero, and h may have a step there.
+#[test]
+fn a_tilted_body_conducts_where_it_is_pressed() {
+    let below = rectangle_quad4([0.0, 0.0], [1.0, 0.5], [2, 1]);
+    let above = rectangle_quad4([0.0, 0.5], [1.0, 1.0], [3, 1]).mapped(|[x, y]| [x, y + 0.02 * (x - 0.4)]);
+    let scene = Scene::of(&[&below, &above]);
+    let h = Conductance { by_pressure: vec![[0.0, 5.0]], by_gap: vec![[0.0, 1.0], [0.5, 1.0]] };
+    let found = flux(&pressed(&scene), &scene.coords, &field(&scene, |mesh, _| mesh as f64), &h);
+    // Half along either face; at both ends of the upper one 0.02 times the gap lies beside the lower one.
+    let length = 0.5 * (1.0 + 0.02f64.hypot(1.0));
+    let expected = (5.0 * 0.4 + 0.6) * length - 0.5 * 0.02 * (5.0 * 0.008 + 0.012);
+    assert!(
+        (out_of(&scene, &found, 1) / expected - 1.0).abs() < 1e-6,
+        "{}",
+        out_of(&scene, &found, 1) / expected - 1.0
+    );
+}
