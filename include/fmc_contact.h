@@ -1044,6 +1044,9 @@ typedef enum {
   // `fmc_context_set_surface_smoothing` has no effect on a pair of bodies, since its law is not "depth": it is measured by straight
   // facets.
   FMC_WARNING_UNUSED_SMOOTHING = 11,
+  // Faces of bodies that are tied lie in part farther apart than the reach, as those of coarse round bodies, and are tied in part only;
+  // the text gives areas and distances. A larger `reach` of the pair ties them.
+  FMC_WARNING_TIED_IN_PART = 12,
 } fmc_warning;
 
 // Results of an evaluation other than the forces. Units follow from the coordinates and the stiffness: with m and Pa,
@@ -2179,6 +2182,29 @@ typedef struct {
   uint64_t reserved[4];
 } fmc_tie_node;
 
+// Conductance h of a contact: flux by area and jump of the field, for heat W/(m^2 K). Tables are linear between their entries, and of the
+// length that is said.
+//
+// New fields take the place of reserved ones; the size of the struct does not change.
+typedef struct {
+  // Set by `fmc_conductance_init`, so that a struct that was not initialised is recognised.
+  size_t struct_size;
+  // Number of entries by pressure, where surfaces touch; 1 for a constant, 0 where nothing flows.
+  size_t pressure_count;
+  // Pressures, ascending, not negative. Before the first and beyond the last h stays as it is there.
+  const double *pressures;
+  // h at these pressures, not negative.
+  const double *by_pressure;
+  // Number of entries by gap, where surfaces are apart; 0 where nothing flows.
+  size_t gap_count;
+  // Gaps, ascending, not negative. Before the first h stays as it is there; beyond the last nothing flows.
+  const double *gaps;
+  // h at these gaps, not negative.
+  const double *by_gap;
+  // Zero. Room for what later versions know.
+  uint64_t reserved[8];
+} fmc_conductance;
+
 // The cohesive interface of two bodies.
 typedef struct {
   // Size of this struct, as the library wrote it.
@@ -2415,6 +2441,67 @@ fmc_status fmc_context_tie_constraints(const fmc_context *context,
                                        double *values,
                                        size_t capacity,
                                        size_t *count);
+
+// Nothing conducts: no tables.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`. Threads: any, on different structs.
+fmc_status fmc_conductance_init(fmc_conductance *conductance);
+
+// What flows through the contact at `coords`, of heat or of charge: the integral of N h (T - T_other) dA out of every node, T being a field
+// and T_other that on the other side, which faces it. It is positive where heat leaves the node, and its sum over all nodes and obstacles is
+// zero. Pressure, of which h depends, is that of the law. Bodies that are tied conduct where they are tied. With axisymmetry dA is that of
+// rings.
+//
+// `fields` has `field_count` fields, one after the other, with a value for every row of `coords`, and `flux` room for as many; `of_obstacles`
+// has as many fields, with a value for every obstacle, removed ones included, and `obstacle_flux` room for them. NULL for `of_obstacles`:
+// nothing flows into obstacles; `obstacle_flux` may be NULL, too. With `field_count` 0 the matrix alone is found, which stays for
+// `fmc_context_flux_matrix`.
+//
+// Errors: as `fmc_context_evaluate`, but for friction; `FMC_ERROR_STRUCT_SIZE`, `FMC_ERROR_RESERVED_FIELD`; `FMC_ERROR_NOT_POSITIVE` for an
+// entry of a field or table that is not finite, a negative entry of a table, or places that do not ascend; `FMC_ERROR_UNSUPPORTED` for a mesh
+// in parts; `FMC_ERROR_UNTIED` as `fmc_context_tie`. Nothing is written then. Threads: one call at a time on a context.
+fmc_status fmc_context_flux(fmc_context *context,
+                            const fmc_coords *coords,
+                            const fmc_conductance *conductance,
+                            size_t field_count,
+                            const double *fields,
+                            const double *of_obstacles,
+                            double *flux,
+                            double *obstacle_flux);
+
+// The derivative of the flux by the field at the last `fmc_context_flux`, the same for every field, in compressed rows: symmetric, positive
+// semidefinite, and independent of the field. Rows and columns are nodes, then obstacles. The entries of row r are those from
+// `row_offsets[r]` to `row_offsets[r + 1]`, in ascending order of their columns. Offsets and columns count from the option `index_base`.
+//
+// `offset_count` becomes the number of offsets, one more than there are rows, and `count` that of entries. `row_offsets` has room for
+// `offset_capacity`, `cols` and `values` for `capacity`. An array that is NULL with capacity 0 is not written: its number alone is
+// asked for.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_LENGTH` where a number does not fit into the context's
+// numbers, `FMC_ERROR_BUSY`; nothing is written then. Threads: several at once on one context, as long as no call changes it.
+fmc_status fmc_context_flux_matrix(const fmc_context *context,
+                                   void *row_offsets,
+                                   size_t offset_capacity,
+                                   size_t *offset_count,
+                                   void *cols,
+                                   double *values,
+                                   size_t capacity,
+                                   size_t *count);
+
+// The energy that friction has dissipated since the step began, as heat at nodes and obstacles: its sum is that of the pairs. Divided by the
+// time of the step it is a power. With cells of second order some nodes may have a negative part.
+//
+// `effusivities`: one for every body, then one for every obstacle, removed ones included, not negative. Each side of a pair takes a part of the
+// heat by its effusivity, the square root of conductivity times density times heat capacity; with 0 it takes nothing. NULL: halves.
+// `heat` has room for a number for every row of `coords`, `obstacle_heat` for every obstacle; it may be NULL.
+//
+// Errors: as `fmc_context_evaluate`; `FMC_ERROR_NOT_POSITIVE` for an effusivity that is negative or not finite; `FMC_ERROR_UNSUPPORTED` for a
+// mesh in parts. Nothing is written then. Threads: one call at a time on a context.
+fmc_status fmc_context_friction_heat(fmc_context *context,
+                                     const fmc_coords *coords,
+                                     const double *effusivities,
+                                     double *heat,
+                                     double *obstacle_heat);
 
 // The cohesive interface of two bodies at `coords`, indices for `fmc_context_body_resultant`. It is set by
 // `fmc_context_set_pair_options`. Of bodies without one all numbers are zero.

@@ -156,6 +156,7 @@ module fmc_contact_c
   integer(c_int32_t), parameter :: FMC_WARNING_CURVED_FACES = 9
   integer(c_int32_t), parameter :: FMC_WARNING_COARSE_FACES = 10
   integer(c_int32_t), parameter :: FMC_WARNING_UNUSED_SMOOTHING = 11
+  integer(c_int32_t), parameter :: FMC_WARNING_TIED_IN_PART = 12
   integer(c_int32_t), parameter :: FMC_REQUEST_FORCES = 0
   integer(c_int32_t), parameter :: FMC_REQUEST_PRODUCT = 1
   integer(c_int32_t), parameter :: FMC_REQUEST_DIAGONAL = 2
@@ -550,6 +551,17 @@ module fmc_contact_c
     real(c_double) :: traction(3)
     real(c_double) :: jump(3)
     integer(c_int64_t) :: reserved(4)
+  end type
+
+  type, bind(c) :: fmc_conductance
+    integer(c_size_t) :: struct_size
+    integer(c_size_t) :: pressure_count
+    type(c_ptr) :: pressures
+    type(c_ptr) :: by_pressure
+    integer(c_size_t) :: gap_count
+    type(c_ptr) :: gaps
+    type(c_ptr) :: by_gap
+    integer(c_int64_t) :: reserved(8)
   end type
 
   type, bind(c) :: fmc_cohesive
@@ -1339,6 +1351,46 @@ module fmc_contact_c
       integer(c_size_t), value :: capacity
       integer(c_size_t), intent(inout), optional :: count
       integer(c_int32_t) :: fmc_context_tie_constraints
+    end function
+    function fmc_conductance_init(conductance) bind(c)
+      import
+      type(fmc_conductance), intent(inout), optional :: conductance
+      integer(c_int32_t) :: fmc_conductance_init
+    end function
+    function fmc_context_flux(context, coords, conductance, field_count, fields, of_obstacles, &
+        flux, obstacle_flux) bind(c)
+      import
+      type(c_ptr), value :: context
+      type(fmc_coords), intent(in), optional :: coords
+      type(fmc_conductance), intent(in), optional :: conductance
+      integer(c_size_t), value :: field_count
+      real(c_double), intent(in), optional :: fields(*)
+      real(c_double), intent(in), optional :: of_obstacles(*)
+      real(c_double), intent(inout), optional :: flux(*)
+      real(c_double), intent(inout), optional :: obstacle_flux(*)
+      integer(c_int32_t) :: fmc_context_flux
+    end function
+    function fmc_context_flux_matrix(context, row_offsets, offset_capacity, offset_count, cols, &
+        values, capacity, count) bind(c)
+      import
+      type(c_ptr), value :: context
+      type(*), intent(inout), optional :: row_offsets(*)
+      integer(c_size_t), value :: offset_capacity
+      integer(c_size_t), intent(inout), optional :: offset_count
+      type(*), intent(inout), optional :: cols(*)
+      real(c_double), intent(inout), optional :: values(*)
+      integer(c_size_t), value :: capacity
+      integer(c_size_t), intent(inout), optional :: count
+      integer(c_int32_t) :: fmc_context_flux_matrix
+    end function
+    function fmc_context_friction_heat(context, coords, effusivities, heat, obstacle_heat) bind(c)
+      import
+      type(c_ptr), value :: context
+      type(fmc_coords), intent(in), optional :: coords
+      real(c_double), intent(in), optional :: effusivities(*)
+      real(c_double), intent(inout), optional :: heat(*)
+      real(c_double), intent(inout), optional :: obstacle_heat(*)
+      integer(c_int32_t) :: fmc_context_friction_heat
     end function
     function fmc_context_cohesive(context, a, b, coords, cohesive) bind(c)
       import

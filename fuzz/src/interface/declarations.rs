@@ -151,6 +151,7 @@ pub const FMC_WARNING_GENTLE_DISTANCE: i32 = 8;
 pub const FMC_WARNING_CURVED_FACES: i32 = 9;
 pub const FMC_WARNING_COARSE_FACES: i32 = 10;
 pub const FMC_WARNING_UNUSED_SMOOTHING: i32 = 11;
+pub const FMC_WARNING_TIED_IN_PART: i32 = 12;
 pub const FMC_REQUEST_FORCES: i32 = 0;
 pub const FMC_REQUEST_PRODUCT: i32 = 1;
 pub const FMC_REQUEST_DIAGONAL: i32 = 2;
@@ -636,6 +637,19 @@ pub struct fmc_tie_node {
 
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct fmc_conductance {
+    pub struct_size: usize,
+    pub pressure_count: usize,
+    pub pressures: *const f64,
+    pub by_pressure: *const f64,
+    pub gap_count: usize,
+    pub gaps: *const f64,
+    pub by_gap: *const f64,
+    pub reserved: [u64; 8],
+}
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct fmc_cohesive {
     pub struct_size: usize,
     pub area: f64,
@@ -865,6 +879,10 @@ unsafe extern "C" {
     pub fn fmc_context_tie(context: *const fmc_context, a: usize, b: usize, tie: *mut fmc_tie) -> fmc_status;
     pub fn fmc_context_tie_nodes(context: *mut fmc_context, coords: *const fmc_coords, rows: *mut fmc_tie_node, capacity: usize, count: *mut usize) -> fmc_status;
     pub fn fmc_context_tie_constraints(context: *const fmc_context, row_offsets: *mut c_void, offset_capacity: usize, offset_count: *mut usize, cols: *mut c_void, values: *mut f64, capacity: usize, count: *mut usize) -> fmc_status;
+    pub fn fmc_conductance_init(conductance: *mut fmc_conductance) -> fmc_status;
+    pub fn fmc_context_flux(context: *mut fmc_context, coords: *const fmc_coords, conductance: *const fmc_conductance, field_count: usize, fields: *const f64, of_obstacles: *const f64, flux: *mut f64, obstacle_flux: *mut f64) -> fmc_status;
+    pub fn fmc_context_flux_matrix(context: *const fmc_context, row_offsets: *mut c_void, offset_capacity: usize, offset_count: *mut usize, cols: *mut c_void, values: *mut f64, capacity: usize, count: *mut usize) -> fmc_status;
+    pub fn fmc_context_friction_heat(context: *mut fmc_context, coords: *const fmc_coords, effusivities: *const f64, heat: *mut f64, obstacle_heat: *mut f64) -> fmc_status;
     pub fn fmc_context_cohesive(context: *mut fmc_context, a: usize, b: usize, coords: *const fmc_coords, cohesive: *mut fmc_cohesive) -> fmc_status;
     pub fn fmc_context_cohesive_points(context: *mut fmc_context, coords: *const fmc_coords, rows: *mut fmc_cohesive_point, capacity: usize, count: *mut usize) -> fmc_status;
     pub fn fmc_context_boundary_facets(context: *const fmc_context, facets: *mut fmc_boundary_facet, capacity: usize, count: *mut usize) -> fmc_status;

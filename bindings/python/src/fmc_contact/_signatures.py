@@ -19,6 +19,7 @@ from ._structs import (
     fmc_cohesive_point,
     fmc_communicator,
     fmc_condensation,
+    fmc_conductance,
     fmc_contact_point,
     fmc_contact_step_options,
     fmc_contact_step_result,
@@ -238,6 +239,28 @@ FUNCTIONS: dict[str, tuple[Any, list[Any]]] = {
     "fmc_context_tie_constraints": (
         c_int32,
         [fmc_context, IndexArray, c_size_t, POINTER(c_size_t), IndexArray, Float64Array, c_size_t, POINTER(c_size_t)],
+    ),
+    "fmc_conductance_init": (c_int32, [POINTER(fmc_conductance)]),
+    "fmc_context_flux": (
+        c_int32,
+        [
+            fmc_context,
+            POINTER(fmc_coords),
+            POINTER(fmc_conductance),
+            c_size_t,
+            Float64Array,
+            Float64Array,
+            Float64Array,
+            Float64Array,
+        ],
+    ),
+    "fmc_context_flux_matrix": (
+        c_int32,
+        [fmc_context, IndexArray, c_size_t, POINTER(c_size_t), IndexArray, Float64Array, c_size_t, POINTER(c_size_t)],
+    ),
+    "fmc_context_friction_heat": (
+        c_int32,
+        [fmc_context, POINTER(fmc_coords), Float64Array, Float64Array, Float64Array],
     ),
     "fmc_context_cohesive": (c_int32, [fmc_context, c_size_t, c_size_t, POINTER(fmc_coords), POINTER(fmc_cohesive)]),
     "fmc_context_cohesive_points": (

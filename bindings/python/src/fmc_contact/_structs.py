@@ -483,6 +483,19 @@ class fmc_tie_node(Structure):
     ]
 
 
+class fmc_conductance(Structure):
+    _fields_ = [
+        ("struct_size", c_size_t),
+        ("pressure_count", c_size_t),
+        ("pressures", c_void_p),
+        ("by_pressure", c_void_p),
+        ("gap_count", c_size_t),
+        ("gaps", c_void_p),
+        ("by_gap", c_void_p),
+        ("reserved", c_uint64 * 8),
+    ]
+
+
 class fmc_cohesive(Structure):
     _fields_ = [
         ("struct_size", c_size_t),
