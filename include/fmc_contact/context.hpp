@@ -427,6 +427,24 @@ class Context : public AddsShapes<Context> {
     return csr<int64_t>(1, [&](auto... arrays) { return fmc_context_tie_constraints(get(), arrays...); });
   }
 
+  // The cohesive interface of two bodies at coordinates; its area is 0 where they have none.
+  fmc_cohesive cohesive(std::size_t a, std::size_t b, Coords coords) {
+    const auto x = coords.as_c(dim_);
+    fmc_cohesive result{};
+    call(fmc_context_cohesive(get(), a, b, &x, &result));
+    return result;
+  }
+  // All points of cohesive interfaces, in the order of their damage.
+  std::vector<fmc_cohesive_point> cohesive_points(Coords coords) {
+    const auto x = coords.as_c(dim_);
+    return found<fmc_cohesive_point>([&](auto... room) { return fmc_context_cohesive_points(get(), &x, room...); });
+  }
+  // Damage of all points and energy by area that they have dissipated, two numbers for each; see `fmc_context_damage`.
+  std::vector<double> damage() const {
+    return detail::rows<double>([&](auto... room) { return fmc_context_damage(get(), room...); });
+  }
+  void set_damage(View<const double> damage) { call(fmc_context_set_damage(get(), damage.data(), damage.size())); }
+
   // Moves surfaces out by what they penetrate, see `fmc_context_augment`.
   fmc_augmentation augment(Coords coords, double tolerance, double reach = 0) {
     const auto x = coords.as_c(dim_);

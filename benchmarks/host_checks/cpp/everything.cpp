@@ -92,6 +92,21 @@ void forces_and_getters() {
   EXPECT(power > 0 && std::abs(through) < 1e-12 * power);
   auto negative = fmc::Conductance::constant(-1);
   EXPECT(refused(FMC_ERROR_NOT_POSITIVE, "by_pressure", [&] { contact.flux(coords, negative, warm); }));
+  // Held together until it breaks, with damage that is set.
+  own = fmc::PairOptions();
+  own.interface_kind = FMC_INTERFACE_COHESIVE;
+  own.normal_strength = 1;
+  own.normal_energy = 0.1;
+  own.reach = 0.5;
+  contact.set_pair_options(a, b, own);
+  const auto glue = contact.cohesive(0, 1, coords);
+  EXPECT(glue.area == tie.area && glue.point_count == contact.cohesive_points(coords).size() && glue.damaged_area <= glue.area);
+  auto damage = contact.damage();
+  EXPECT(damage.size() == 2 * glue.point_count);
+  damage[0] = 1;
+  contact.set_damage(damage);
+  EXPECT(contact.damage() == damage && contact.cohesive(0, 1, coords).broken_area > 0);
+  EXPECT(refused(FMC_ERROR_LENGTH, "damage", [&] { contact.set_damage({1.0}); }));
   contact.clear_pair_options(a, b);
   EXPECT(contact.tie(0, 1).area == 0 && contact.tie_nodes(coords).empty());
   EXPECT(contact.pair_options(a, b).excluded == 0 && contact.evaluate(coords).pair_count == 1);

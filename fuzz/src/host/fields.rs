@@ -86,6 +86,38 @@ impl Host {
         }
     }
 
+    /// Cohesive interfaces at the coordinates, and their damage, which is put back.
+    pub(super) fn cohesive(&mut self, hole: Hole) {
+        let array = Array::new(&self.mesh.coords, self.mesh.dim, Layout::Rows);
+        let (view, mut count, mut numbers) = (array.view, 77usize, 77usize);
+        // SAFETY: as in `gaps`.
+        unsafe {
+            let mut found = std::mem::MaybeUninit::<fmc_cohesive>::zeroed().assume_init();
+            let coords = unless(hole, 0, (&raw const view).cast_mut());
+            let status = checked(fmc_context_cohesive(self.context, 0, 1, coords, unless(hole, 3, &raw mut found)));
+            assert!(status != OK || found.struct_size == size_of::<fmc_cohesive>());
+            let (none, nothing) = (std::ptr::null_mut(), std::ptr::null_mut());
+            let status = fmc_context_cohesive_points(self.context, coords, none, 0, unless(hole, 1, &raw mut count));
+            if checked(status) != OK || hole == 1 {
+                assert_eq!(count, 77);
+                return;
+            }
+            let blank = std::mem::MaybeUninit::<fmc_cohesive_point>::zeroed().assume_init();
+            let rows = Guarded::new(&vec![blank; count]);
+            let status = fmc_context_cohesive_points(self.context, coords, rows.ptr(), count, std::ptr::null_mut());
+            assert_eq!(checked(status), OK);
+            assert!(rows.values().iter().all(|row| row.struct_size == size_of::<fmc_cohesive_point>()));
+            assert_eq!(checked(fmc_context_damage(self.context, nothing, 0, &raw mut numbers)), OK);
+            assert_eq!(numbers, 2 * count);
+            let damage = Guarded::new(&vec![0.0; numbers]);
+            assert_eq!(checked(fmc_context_damage(self.context, damage.ptr(), numbers, std::ptr::null_mut())), OK);
+            assert!(damage.values().iter().all(|x| *x >= 0.0));
+            let given = unless(hole, 4, damage.ptr()).cast_const();
+            let status = checked(fmc_context_set_damage(self.context, given, numbers));
+            assert!(status == OK || hole == 4);
+        }
+    }
+
     /// Ties at the coordinates, and as equations.
     pub(super) fn ties(&mut self, hole: Hole) {
         let array = Array::new(&self.mesh.coords, self.mesh.dim, Layout::Rows);

@@ -21,9 +21,14 @@ impl Host {
             static_coefficient: 0.0,
             weakening_slip: 0.0,
             interface_kind: 77,
-            reserved_flags: 77,
+            softening: 77,
             reach: 0.0,
-            reserved: [77; 6],
+            normal_strength: 0.0,
+            shear_strength: 0.0,
+            normal_energy: 0.0,
+            shear_energy: 0.0,
+            mixed_mode_exponent: 0.0,
+            reserved: [77; 1],
         };
         // SAFETY: the host's own context, and structs of the header's size.
         unsafe {
@@ -46,6 +51,13 @@ impl Host {
             options.excluded = i32::from(from.excluded % 3);
             options.interface_kind = i32::from(from.excluded / 64);
             options.reach = if from.excluded >= 64 { from.stiffness.0 } else { 0.0 };
+            if options.interface_kind == FMC_INTERFACE_COHESIVE {
+                // All are said, so that all come back.
+                (options.normal_strength, options.shear_strength) = (1.0, from.stiffness.0);
+                (options.normal_energy, options.shear_energy) = (0.1, 0.2);
+                options.mixed_mode_exponent = from.exponent.map_or(2.0, |x| x.0);
+                (options.reach, options.softening) = (0.5, i32::from(from.law % 3));
+            }
             options.gap_offset = from.gap_offset.map_or(0.0, |x| x.0);
             let given = unless(hole, 0, &raw mut options).cast_const();
             let status = checked(fmc_context_set_pair_options(context, a_kind, a, b_kind, b, given));
