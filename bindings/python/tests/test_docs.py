@@ -113,7 +113,14 @@ PIECES = {
         ),
     ],
     "heat.md": [None],  # hosts/skfem/tests/test_docs.py
-    "interfaces.md": [("", "assert np.allclose(result.forces[4:7, 1], [-0.5, -1, -0.5])")],
+    "interfaces.md": [
+        ("", "assert np.allclose(result.forces[4:7, 1], [-0.5, -1, -0.5])"),
+        (
+            "import numpy as np\nfrom fmc_contact import Contact\nconn = np.array([[0, 1, 2, 3], [4, 5, 8, 7], [5, 6, 9, 8]])\n",
+            # Along the last line towards the origin from 0.03, where it was 2 · 2 · (0.1 − 0.03)/(0.1 − 0.001).
+            "assert np.allclose([pull, told.dissipated], [2.8283 * 2 / 3, 0.0586], atol=1e-4), (pull, told)",
+        ),
+    ],
     "gradients.md": [
         ("", "assert shape.shape == (8, 2) and abs(force) > 1"),
         # Springs of 1e3 up the sides and across, and the contact: half a force of the load for each node.

@@ -52,6 +52,12 @@ def test_a_stiffness_alone_takes_the_law_with_its_exponent() -> None:
         "smoothing_length": 0.0,
         "interface": "contact",
         "reach": 0.0,
+        "normal_strength": 0.0,
+        "shear_strength": 0.0,
+        "normal_energy": 0.0,
+        "shear_energy": 0.0,
+        "mixed_mode_exponent": 0.0,
+        "softening": "linear",
     }
     assert pressures(contact)[0, FLOOR] == pytest.approx(5 * K * 2 * 0.1)
 
