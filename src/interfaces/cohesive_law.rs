@@ -286,7 +286,8 @@ mod tests {
                 assert!((law.reached(law.damage(q)) - q).abs() < 1e-12 * most, "{q}");
                 let step = 1e-6;
                 let slope = (law.damage(q + 1.0 + step) - law.damage(q + 1.0 - step)) / (2.0 * step);
-                assert!(q + 1.0 > most || (slope - law.slope(q + 1.0)).abs() < 1e-8);
+                // The straight line ends with a kink at m.
+                assert!(q + 1.1 > most || (slope - law.slope(q + 1.0)).abs() < 1e-8);
             }
         }
     }
