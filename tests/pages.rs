@@ -55,7 +55,10 @@ fn links_lead_somewhere() {
     let named = ["README.md", "ARCHITECTURE.md", "CHANGELOG.md", "CONTRIBUTING.md", "SECURITY.md"];
     let hosts = fs::read_dir(root().join("hosts")).expect("hosts").map(|entry| entry.expect("an entry").path());
     let hosts = hosts.map(|path| path.join("README.md")).filter(|path| path.exists());
-    let named = named.into_iter().chain(["bindings/python/README.md", "suite/README.md", "suite/results.md"]).map(|name| root().join(name));
+    let named = named
+        .into_iter()
+        .chain(["bindings/python/README.md", "suite/README.md", "suite/results.md"])
+        .map(|name| root().join(name));
     let pages = named.chain(hosts).chain(in_docs());
     let (mut seen, mut broken) = (0, Vec::new());
     for page in pages {
