@@ -114,6 +114,9 @@ def smoothed(scene):
     scene.contact.mesh.set_surface_smoothing(30.0)
 
 
+TIED = of_pair(1, interface="tied", reach=0.2)
+GLUED = together(of_pair(1, interface="cohesive", reach=0.2, normal_strength=1e3 * K, normal_energy=1e3 * K), begun)
+
 STRAIGHT, CURVED = tuple(EDGES), tuple(SECOND_ORDER)
 
 GROUPS = {
@@ -154,6 +157,21 @@ GROUPS = {
         Feature("thickness of a half-space", setup=together(obstacle("half-space"), of_pair(("obstacle", 0), gap_offset=0.01))),
         Feature("thickness of a cuboid, 2D", setup=together(obstacle("cuboid"), of_pair(("obstacle", 0), gap_offset=0.01)), dims=(2,)),
         Feature("`adjust` of gaps", setup=adjusted),
+    ],
+    "Interfaces": [
+        Feature("tied", setup=TIED),
+        Feature("tied, second-order cells, 2D", setup=TIED, dims=(2,), kinds=("quad9",)),
+        Feature("tied, hanging nodes", {"hanging": True}, TIED),
+        Feature("tied, axisymmetry", {"axisymmetric": True}, TIED, dims=(2,)),
+        Feature("tied, friction elsewhere", RUBBED, together(TIED, begun)),
+        Feature("tied, closed surfaces", {"surfaces": True}, TIED),
+        Feature("tied, ranks", setup=together(TIED, on_ranks)),
+        Feature("tied, mesh in parts", {"parts": True}, TIED),
+        Feature("cohesive", setup=GLUED),
+        Feature("cohesive, second-order cells, 2D", setup=GLUED, dims=(2,), kinds=("quad9",)),
+        Feature("cohesive, axisymmetry", {"axisymmetric": True}, GLUED, dims=(2,)),
+        Feature("cohesive, ranks", setup=together(GLUED, on_ranks)),
+        Feature("cohesive, mesh in parts", {"parts": True}, GLUED),
     ],
     "MPI ranks": [
         Feature("whole mesh on every rank", setup=on_ranks),
@@ -215,6 +233,18 @@ def constraints(scene):
     assert len(scene.contact.gap_constraints(scene.x, 0.1))
 
 
+def gradients(*by):
+    return lambda scene: scene.contact.vjp(scene.x, adjoint=np.ones(scene.x.shape), by=by)
+
+
+def conducted(scene):
+    assert abs(scene.contact.flux(scene.x, scene.x[:, 1], 2.0).flux).max() > 0
+
+
+def heated(scene):
+    scene.contact.friction_heat(scene.x)
+
+
 def searched(scene):
     """Springs hold every node where it is under load; contact pushes the bodies apart, against them."""
     spring, first = 100 * K, scene.x
@@ -235,6 +265,14 @@ ASKED = {
     "penetration tolerance": ({}, augmented),
     "penetration tolerance, friction": (RUBBED, together(begun, augmented)),
     "penetration tolerance, self-contact": ({"self_contact": True}, augmented),
+    "gradient by coordinates": ({}, gradients("coords")),
+    "gradient by undeformed coordinates": ({}, gradients("reference")),
+    "gradient by stiffness": ({}, gradients("stiffness")),
+    "gradient, friction": (RUBBED, together(begun, gradients("coords", "friction"))),
+    "gradient by coordinates, tied": ({}, together(TIED, gradients("coords"))),
+    "flux of a scalar field": ({}, conducted),
+    "flux, tied": ({}, together(TIED, conducted)),
+    "heat of friction": (RUBBED, together(begun, heated)),
     "search for the equilibrium, 2D": ({}, searched),
     "search, stiffness from the bodies, 2D": ({"stiffness": 0.0}, searched),
     "search, friction, 2D": (RUBBED, searched),
