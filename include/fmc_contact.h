@@ -950,7 +950,7 @@ typedef struct {
   // Exponent, at least 1, by which the two are mixed (Benzeggagh and Kenane); 0, the default: 2.
   double mixed_mode_exponent;
   // Zero. Room for options of later versions.
-  uint64_t reserved[1];
+  uint64_t reserved[4];
 } fmc_pair_options;
 
 // Sets the options of a pair to what it has without options of its own: the law of the context, not left out.

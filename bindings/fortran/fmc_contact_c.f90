@@ -295,7 +295,7 @@ module fmc_contact_c
     real(c_double) :: normal_energy
     real(c_double) :: shear_energy
     real(c_double) :: mixed_mode_exponent
-    integer(c_int64_t) :: reserved(1)
+    integer(c_int64_t) :: reserved(4)
   end type
 
   type, bind(c) :: fmc_result

@@ -28,7 +28,7 @@ impl Host {
             normal_energy: 0.0,
             shear_energy: 0.0,
             mixed_mode_exponent: 0.0,
-            reserved: [77; 1],
+            reserved: [77; 4],
         };
         // SAFETY: the host's own context, and structs of the header's size.
         unsafe {

@@ -337,7 +337,7 @@ pub struct fmc_pair_options {
     pub normal_energy: f64,
     pub shear_energy: f64,
     pub mixed_mode_exponent: f64,
-    pub reserved: [u64; 1],
+    pub reserved: [u64; 4],
 }
 
 #[repr(C)]

@@ -184,7 +184,7 @@ class fmc_pair_options(Structure):
         ("normal_energy", c_double),
         ("shear_energy", c_double),
         ("mixed_mode_exponent", c_double),
-        ("reserved", c_uint64 * 1),
+        ("reserved", c_uint64 * 4),
     ]
 
 

@@ -78,7 +78,7 @@ pub struct fmc_pair_options {
     /// Exponent, at least 1, by which the two are mixed (Benzeggagh and Kenane); 0, the default: 2.
     pub mixed_mode_exponent: f64,
     /// Zero. Room for options of later versions.
-    pub reserved: [u64; 1],
+    pub reserved: [u64; 4],
 }
 
 impl Default for fmc_pair_options {
@@ -102,7 +102,7 @@ impl Default for fmc_pair_options {
             normal_energy: 0.0,
             shear_energy: 0.0,
             mixed_mode_exponent: 0.0,
-            reserved: [0; 1],
+            reserved: [0; 4],
         }
     }
 }
