@@ -107,7 +107,8 @@ def test_by_the_shape_of_the_punch(penetration):
         - got.balance.ravel() @ by_residual
         + ((got.gradients.reference + got.prescribed) * moved).sum()
     )
-    differences = slope(lambda by: punch.value(first=first + by * moved), 1e-6)
+    # What is left of gaps is divided by the step: a longer one where there are any.
+    differences = slope(lambda by: punch.value(first=first + by * moved), 1e-6 if penetration is None else 1e-5)
     assert by_shape == pytest.approx(differences, rel=PENALTY if penetration is None else CLOSED)
 
 

@@ -50,7 +50,7 @@ def test_what_is_pulled_off_is_held(index_base):
 
 def test_refusals():
     contact, _ = squares(gap=0.3)
-    with pytest.raises(errors.UntiedError, match="bodies 0 and 1 .* within 1e-1"):
+    with pytest.raises(errors.UntiedError, match="bodies 0 and 1 .* within 1.0000e-1: the nearest faces are 3.0000e-1 apart"):
         contact.pairs.set(0, 1, interface="tied", reach=0.1)
     with pytest.raises(errors.OptionsConflictError, match="'reach'"):
         contact.pairs.set(0, 1, reach=0.1)
