@@ -1,7 +1,8 @@
 //! Integrals over what both surfaces have in common: exact for fields of the cells, else of second order.
 
+use crate::blocks::rectangles;
 use crate::scene::Scene;
-use crate::{K, dot, field, flux, out_of, pressed, rectangles};
+use crate::{K, dot, field, flux, out_of, pressed};
 use fmc_contact::contact::Conductance;
 use fmc_contact::{EnergyLaw, Options};
 use fmc_shapes::{Mesh, patch_quad4, rectangle_quad4, second_order};

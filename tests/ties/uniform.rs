@@ -1,7 +1,8 @@
 //! A body that has moved away as a whole pulls evenly: every node bears its share by the shape functions.
 
+use crate::blocks::rectangles;
 use crate::scene::Scene;
-use crate::{K, rectangles, tied};
+use crate::{K, tied};
 use fmc_contact::contact::PairOptions;
 use fmc_contact::overlap::Partner::Body;
 use fmc_contact::{EnergyLaw, Options};
