@@ -2,7 +2,7 @@
 
 use crate::scene::Scene;
 use crate::{held, in_the_plane, law, moved};
-use fmc_contact::contact::{Cohesive, GradientRequest, PairOptions};
+use fmc_contact::contact::{Cohesive, GradientRequest, PairOptions, StaticFriction};
 use fmc_contact::overlap::Partner::{Body, Obstacle as Rigid};
 use fmc_contact::{EnergyLaw, Error, Obstacle, Options, Pose, Shape};
 use fmc_shapes::rectangle_quad4;
@@ -16,6 +16,15 @@ fn what_is_no_interface_is_refused_and_changes_nothing() {
     let apart = refused([Body(0), Body(1)], PairOptions::with_cohesive(Cohesive { reach: 0.1, ..law() }));
     let Error::Untied { bodies: [0, 1], distances: [reach, nearest] } = apart else { panic!("{apart}") };
     assert!(reach == 0.1 && (nearest - 0.2).abs() < 1e-12, "{apart}");
+    // What would have no effect.
+    let wide = PairOptions::with_cohesive(Cohesive { reach: 0.3, ..law() });
+    for options in [
+        PairOptions { excluded: true, ..wide },
+        PairOptions { friction_coefficient: Some(0.3), ..wide },
+        PairOptions { static_friction: Some(StaticFriction { coefficient: 0.5, weakening_slip: 0.1 }), ..wide },
+    ] {
+        assert!(matches!(refused([Body(0), Body(1)], options), Error::OfPair { .. }));
+    }
     let wide = Cohesive { reach: 0.3, ..law() };
     for cohesive in [
         Cohesive { normal_strength: 0.0, ..wide },
@@ -68,8 +77,7 @@ fn an_interface_takes_the_place_of_the_contact() {
     assert_eq!(contact.tie([0, 1]), Ok(None));
     contact.set_pair_options(pair, Some(PairOptions::tied(0.0))).expect("a tie");
     assert!(contact.damage().expect("none").is_empty() && contact.tie([0, 1]).expect("bodies").is_some());
-    let excluded = PairOptions { excluded: true, ..PairOptions::with_cohesive(law()) };
-    contact.set_pair_options(pair, Some(excluded)).expect("options");
+    contact.set_pair_options(pair, Some(PairOptions::excluded())).expect("options");
     assert_eq!(contact.evaluate(&scene.coords).expect("an evaluation").pairs.len(), 1);
 }
 
@@ -84,9 +92,7 @@ fn an_interface_is_whole_when_it_is_set_anew() {
     contact.begin_step(&scene.coords).expect("a step");
     contact.commit_step(&pulled).expect("a step");
     let same = PairOptions::with_cohesive(law());
-    contact
-        .set_pair_options([0, 1].map(Body), Some(PairOptions { friction_coefficient: Some(0.0), ..same }))
-        .expect("options");
+    contact.set_pair_options([0, 1].map(Body), Some(same)).expect("options");
     assert!(!is_whole(&contact));
     let other = PairOptions::with_cohesive(Cohesive { exponent: 1.5, ..law() });
     contact.set_pair_options([0, 1].map(Body), Some(other)).expect("options");

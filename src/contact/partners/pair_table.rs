@@ -135,8 +135,7 @@ fn check(pair: &[Partner; 2], options: &PairOptions, defaults: &Options) -> Resu
     let of_pair = |cause| Error::OfPair { sides: pair.map(side), cause: Box::new(cause) };
     own.and_then(|()| Options { law, friction, ..*defaults }.check())
         .and_then(|()| check_offset(pair, options, law.needs_depth()))
-        .and_then(|()| check_tie(pair, options, &law))
-        .and_then(|()| check_cohesive(pair, options))
+        .and_then(|()| check_interface(pair, options, &law))
         .map_err(of_pair)
 }
 
@@ -152,34 +151,39 @@ fn check_offset(pair: &[Partner; 2], options: &PairOptions, has_depth: bool) -> 
     }
 }
 
-fn check_tie(pair: &[Partner; 2], options: &PairOptions, law: &EnergyLaw) -> Result<(), Error> {
-    let Interface::Tied { reach } = options.interface else { return Ok(()) };
+/// What bodies that are held together cannot have beside it, whatever holds them.
+fn check_interface(pair: &[Partner; 2], options: &PairOptions, law: &EnergyLaw) -> Result<(), Error> {
     let rubs = options.friction_coefficient.is_some() || options.static_friction.is_some();
+    let is_tied = matches!(options.interface, Interface::Tied { .. });
     let what = match pair {
-        [_, Partner::Obstacle(_)] => "a body that is tied to an obstacle: the host prescribes how its nodes move",
-        [a, b] if a == b => "a body that is tied to itself",
-        _ if matches!(law, EnergyLaw::Volume { .. }) => {
+        _ if options.interface == Interface::Contact => return Ok(()),
+        [_, Partner::Obstacle(_)] if is_tied => {
+            "a body that is tied to an obstacle: the host prescribes how its nodes move"
+        }
+        [_, Partner::Obstacle(_)] => "a cohesive interface of a body and an obstacle",
+        [a, b] if a == b && is_tied => "a body that is tied to itself",
+        [a, b] if a == b => "a cohesive interface of a body with itself",
+        _ if options.excluded && is_tied => "a pair that is both left out and tied",
+        _ if options.excluded => "a pair that is both left out and has a cohesive interface",
+        _ if rubs && is_tied => "friction of bodies that are tied: they do not slide",
+        _ if rubs => "friction of bodies with a cohesive interface, which has none",
+        _ if options.gap_offset != 0.0 => {
+            "a gap offset of bodies that are tied or have a cohesive interface: their gap is kept as it is"
+        }
+        _ if is_tied && matches!(law, EnergyLaw::Volume { .. }) => {
             "bodies that are tied by the law volume, which has no stiffness by area: give the pair the law depth"
         }
-        _ if options.excluded => "a pair that is both left out and tied",
-        _ if rubs => "friction of bodies that are tied: they do not slide",
-        _ if options.gap_offset != 0.0 => "a gap offset of bodies that are tied: their gap is kept as it is",
-        _ if !(reach.is_finite() && reach >= 0.0) => return Err(Error::NotPositive { name: "reach", value: reach }),
-        _ => return Ok(()),
+        _ if !is_tied && options.law.is_some() => "a law of bodies with a cohesive interface, which has its own",
+        _ => return check_values(options.interface),
     };
     Err(Error::Unsupported { what })
 }
 
-fn check_cohesive(pair: &[Partner; 2], options: &PairOptions) -> Result<(), Error> {
-    let Some(cohesive) = options.cohesive() else { return Ok(()) };
-    let what = match pair {
-        [_, Partner::Obstacle(_)] => "a cohesive interface of a body and an obstacle",
-        [a, b] if a == b => "a cohesive interface of a body with itself",
-        _ if options.gap_offset != 0.0 => {
-            "a gap offset of bodies with a cohesive interface: their gap is kept as it is"
-        }
-        _ if options.law.is_some() => "a law of bodies with a cohesive interface, which has its own",
-        _ => return cohesive.check(),
-    };
-    Err(Error::Unsupported { what })
+fn check_values(interface: Interface) -> Result<(), Error> {
+    match interface {
+        Interface::Contact => Ok(()),
+        Interface::Tied { reach } if reach.is_finite() && reach >= 0.0 => Ok(()),
+        Interface::Tied { reach } => Err(Error::NotPositive { name: "reach", value: reach }),
+        Interface::Cohesive(cohesive) => cohesive.check(),
+    }
 }
