@@ -6,7 +6,6 @@ use crate::contact::mesh::Mesh;
 use crate::contact::tangents::{Tangent, TangentPart};
 use crate::geometry::Weighting;
 use crate::interfaces::{Cohesion, CohesionAt, Cohesive, CohesiveLaw, PointDamage, Softened};
-use crate::overlap::{Overlap, Partner};
 use std::collections::BTreeMap;
 
 /// What points have been through, by pair of bodies; nothing where a pair is not there.
@@ -162,38 +161,17 @@ fn found<const D: usize>(
 
 /// What was put into the interface, stored and dissipated: no step makes it jump. Its area is what is not broken.
 fn pair_energy<const D: usize>(cohesion: &Cohesion<D>, at: &CohesionAt<'_, D>) -> PairEnergy<D> {
-    let gradient = at.gradient();
     let [stored, dissipated] = at.energies();
     let (mut area, mut pulled) = (0.0, 0.0);
     for (point, at) in at.points() {
         area += if at.now().damage < 1.0 { point.measure } else { 0.0 };
         pulled += point.measure * at.traction.norm();
     }
-    let [a, b] = cohesion.bodies.map(Partner::Body);
-    let overlap = Overlap {
-        a,
-        b,
-        volume: 0.0,
-        standard_error: 0.0,
-        nodes: cohesion.nodes.clone(),
-        gradient: gradient.clone(),
-        of_b: cohesion.of_b.clone(),
-        pose_gradient: None,
-        contact_area: area,
-        penetration: 0.0,
-        fiber_count: 0,
-        crossing_count: 0,
-        facet_count: 0,
-        spacing: 0.0,
-        warnings: cohesion.left_out.iter().map(|left_out| left_out.warning(cohesion.bodies, cohesion.area)).collect(),
-    };
-    PairEnergy {
-        overlap,
-        energy: stored + dissipated,
-        pressure: pulled / cohesion.area,
-        nodes: cohesion.nodes.clone(),
-        gradient,
-        of_b: cohesion.of_b.clone(),
-        pose_gradient: None,
-    }
+    PairEnergy::of_interface(
+        cohesion.bodies,
+        (stored + dissipated, at.gradient()),
+        (&cohesion.nodes, &cohesion.of_b),
+        (area, pulled / cohesion.area),
+        cohesion.left_out.iter().map(|left_out| left_out.warning(cohesion.bodies, cohesion.area)).collect(),
+    )
 }

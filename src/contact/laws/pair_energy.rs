@@ -4,7 +4,7 @@ use super::energy_law::EnergyLaw;
 use super::momentum_correction::correct;
 use super::penetration_law::PenetrationLaw;
 use crate::geometry::Vector;
-use crate::overlap::{ContactPoints, Imbalance, MotionGradient, Overlap, Pair, PointGradient};
+use crate::overlap::{ContactPoints, Imbalance, MotionGradient, Overlap, Pair, Partner, PointGradient, Warning};
 
 /// Energy of one pair, its gradient on nodes and pose, and the overlap from which it comes.
 pub(crate) struct PairEnergy<const D: usize> {
@@ -19,6 +19,36 @@ pub(crate) struct PairEnergy<const D: usize> {
 }
 
 impl<const D: usize> PairEnergy<D> {
+    /// Of two bodies that something holds together, and that are in no contact: there is no overlap, only an area that is held, and the mean
+    /// traction on it.
+    pub(crate) fn of_interface(
+        bodies: [usize; 2],
+        (energy, gradient): (f64, Vec<Vector<D>>),
+        (nodes, of_b): (&[u32], &[bool]),
+        (area, pressure): (f64, f64),
+        warnings: Vec<Warning>,
+    ) -> Self {
+        let [a, b] = bodies.map(Partner::Body);
+        let overlap = Overlap {
+            a,
+            b,
+            volume: 0.0,
+            standard_error: 0.0,
+            nodes: nodes.to_vec(),
+            gradient: gradient.clone(),
+            of_b: of_b.to_vec(),
+            pose_gradient: None,
+            contact_area: area,
+            penetration: 0.0,
+            fiber_count: 0,
+            crossing_count: 0,
+            facet_count: 0,
+            spacing: 0.0,
+            warnings,
+        };
+        Self { overlap, energy, pressure, nodes: nodes.to_vec(), gradient, of_b: of_b.to_vec(), pose_gradient: None }
+    }
+
     /// w(V).
     pub(crate) fn of_volume(overlap: Overlap<D>, law: &EnergyLaw) -> Self {
         let pressure = law.energy_gradient(overlap.volume);

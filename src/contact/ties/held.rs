@@ -6,7 +6,7 @@ use crate::contact::mesh::Mesh;
 use crate::contact::tangents::{Tangent, TangentPart};
 use crate::geometry::{Vector, Weighting};
 use crate::interfaces::{Curvature, Tie, TieAt};
-use crate::overlap::{Overlap, Partner};
+use crate::overlap::Partner;
 use std::collections::BTreeMap;
 
 /// Ties by pair of bodies, ascending.
@@ -131,6 +131,10 @@ impl<const D: usize> Ties<D> {
         Ok((found, next))
     }
 
+    pub(crate) fn have_multipliers(&self) -> bool {
+        self.0.values().any(|held| !held.multipliers.is_empty())
+    }
+
     /// The multipliers of all, to be put back by [`Self::put_back`].
     pub(crate) fn multipliers(&self) -> TieMultipliers<D> {
         self.0.iter().map(|(bodies, held)| (*bodies, held.multipliers.clone())).collect()
@@ -159,33 +163,12 @@ fn found<const D: usize>(
 }
 
 fn pair_energy<const D: usize>(tie: &Tie<D>, at: &TieAt<'_, D>) -> PairEnergy<D> {
-    let gradient = at.gradient();
     let pressed = tie.rows.iter().zip(&at.tractions).map(|(row, traction)| row.measure * traction.norm()).sum::<f64>();
-    let [a, b] = tie.bodies.map(Partner::Body);
-    let overlap = Overlap {
-        a,
-        b,
-        volume: 0.0,
-        standard_error: 0.0,
-        nodes: tie.nodes.clone(),
-        gradient: gradient.clone(),
-        of_b: tie.of_b.clone(),
-        pose_gradient: None,
-        contact_area: tie.area,
-        penetration: 0.0,
-        fiber_count: 0,
-        crossing_count: 0,
-        facet_count: 0,
-        spacing: 0.0,
-        warnings: tie.left_out.iter().map(|left_out| left_out.warning(tie.bodies, tie.area)).collect(),
-    };
-    PairEnergy {
-        overlap,
-        energy: at.energy,
-        pressure: pressed / tie.area,
-        nodes: tie.nodes.clone(),
-        gradient,
-        of_b: tie.of_b.clone(),
-        pose_gradient: None,
-    }
+    PairEnergy::of_interface(
+        tie.bodies,
+        (at.energy, at.gradient()),
+        (&tie.nodes, &tie.of_b),
+        (tie.area, pressed / tie.area),
+        tie.left_out.iter().map(|left_out| left_out.warning(tie.bodies, tie.area)).collect(),
+    )
 }
