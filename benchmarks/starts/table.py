@@ -16,7 +16,7 @@ import traceback
 
 os.environ.setdefault("OMP_NUM_THREADS", "1")
 
-import suite
+import groups
 from problem import Outcome, run
 
 _FORK = multiprocessing.get_context("fork")
@@ -27,7 +27,7 @@ def _solve(group, name, limit, end):
     used = math.ceil(sum(resource.getrusage(resource.RUSAGE_SELF)[:2]))
     resource.setrlimit(resource.RLIMIT_CPU, (used + math.ceil(limit), used + math.ceil(limit) + 5))
     try:
-        end.send(run(suite.GROUPS[group][name]()))
+        end.send(run(groups.GROUPS[group][name]()))
     except BaseException as error:
         last = traceback.extract_tb(error.__traceback__)[-1]
         place = f"{os.path.basename(last.filename)}:{last.lineno}"
@@ -102,7 +102,7 @@ def main():
     parser.add_argument("--failed", action="store_true", help="print failed problems alone")
     parser.add_argument("--slow", action="store_true", help="solve the slow problems too")
     asked = parser.parse_args()
-    chosen = [one for one in suite.named(asked.words) if asked.slow or one not in suite.SLOW]
+    chosen = [one for one in groups.named(asked.words) if asked.slow or one not in groups.SLOW]
     counts, most = {}, {}
     print("     | problem | found/expected | rigid steps | solves | updates | seconds | what the driver said")
     for (group, name), outcome in outcomes(chosen, asked.limit, asked.jobs):
