@@ -11,6 +11,7 @@ import snap
 import stacks
 import through
 import touching
+import unloading
 
 _MODULES = {
     "touching": touching,
@@ -20,6 +21,7 @@ _MODULES = {
     "assemblies": assemblies,
     "layers": layers,
     "approach": approach,
+    "unloading": unloading,
     "snap": snap,
     "scales": scales,
     "through": through,

@@ -15,7 +15,8 @@ GAPS = (0.0, 1e-6, -1e-6, 1e-4, -1e-4, 1e-2, -1e-2, 0.3, 8.0)
 """By the size of a cell."""
 
 
-def _blocks(count, gap, shift):
+def blocks(count, gap, shift):
+    """Meshes of blocks that become narrower, or are shifted sideways, with gaps by the size of a cell."""
     meshes, base = [], 0.0
     for level in range(count):
         base += gap / COUNT
@@ -51,7 +52,7 @@ def _settled(bodies, gap):
 
 def stack(count, gap, friction=0.0, support="", spring=0.0, shift=0.0, most_solves=6, told=""):
     """Blocks that become narrower, or are shifted sideways. ``support``: ``held`` for one node of each sideways; empty for nothing."""
-    bodies = Bodies(_blocks(count, gap, shift), QUAD4, YOUNG, POISSON)
+    bodies = Bodies(blocks(count, gap, shift), QUAD4, YOUNG, POISSON)
     contact = contact_of(bodies, friction_coefficient=friction)
     load = bodies.weight(WEIGHT)
     host, others = bodies.host(load), None

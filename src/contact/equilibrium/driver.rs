@@ -6,7 +6,9 @@
 //! - `layers`: where the law has no stiffness, each pair gets one from the host's matrix;
 //! - `motions`, `settle`: bodies that nothing holds move rigidly until contact balances their loads, or are refused by name;
 //! - `overlaps`: overlaps that no load explains are told;
+//! - `falling_load`: multipliers of another load fall with it;
 //! - `parts`: what is prescribed moves as far as nothing passes through anything, then the next part;
+//! - `unloaded`: bodies without load come to rest without contact, if they do not meet there;
 //! - `levels`, `nearest` (with `secant`), `downhill`: the equilibrium, each from the same start where the one before has not found it;
 //! - `updates`: multipliers, until what is left of the penetration does not matter;
 //! - `patches`: those of the law `fiber`, where they are not left to the host;
@@ -47,6 +49,7 @@ mod standing;
 mod state;
 mod trouble;
 mod unknowns;
+mod unloaded;
 mod updates;
 
 pub use limit::StepLimit;

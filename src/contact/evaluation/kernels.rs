@@ -118,6 +118,8 @@ kernel! { /// Forces.
 evaluate = evaluate_in() -> forces }
 kernel! { /// Forces without multipliers.
 evaluate_true = evaluate_in() -> forces, True }
+kernel! { /// Forces of interfaces alone.
+evaluate_apart = evaluate_apart_in() -> forces }
 kernel! { /// Second derivative of the energy.
 tangent = tangent_in(part: TangentPart) -> tangents }
 kernel! { /// Forces and second derivative of the energy.
@@ -147,6 +149,12 @@ patches = patches_in() -> patch_list }
 
 fn evaluate_in<const D: usize>(contact: &Contact<D>, coords: &Points<D>) -> Result<ContactForces<D>, Error> {
     let asked = Asked { energy: true, ..Asked::default() };
+    let (answers, tractions) = measured_pairs(contact, coords, &asked)?;
+    forces_of(contact, coords, answers.into_iter().filter_map(|answer| answer.energy), &tractions)
+}
+
+fn evaluate_apart_in<const D: usize>(contact: &Contact<D>, coords: &Points<D>) -> Result<ContactForces<D>, Error> {
+    let asked = Asked { energy: true, apart: true, ..Asked::default() };
     let (answers, tractions) = measured_pairs(contact, coords, &asked)?;
     forces_of(contact, coords, answers.into_iter().filter_map(|answer| answer.energy), &tractions)
 }
@@ -208,7 +216,7 @@ fn tangent_with<const D: usize>(
     part: TangentPart,
     rotations: bool,
 ) -> Result<Tangent<D>, Error> {
-    let asked = Asked { tangent: Some(part), rotations, ..Asked::default() };
+    let asked = Asked { tangent: Some(part), rotations, apart: contact.history.is_apart, ..Asked::default() };
     let (answers, tractions) = measured_pairs(contact, coords, &asked)?;
     tangent_of(answers.into_iter().filter_map(|answer| answer.tangent), tractions)
 }

@@ -1,12 +1,13 @@
 //! What the laws answer for every pair, and what friction adds.
 
+use super::bring::with_state;
 use super::parts::Contact;
 use super::points::Points;
 use super::sliding::{check_ready, released, sliding};
 use super::walk::for_each_pair;
 use crate::Error;
 use crate::contact::friction::{SlipFacets, Tractions};
-use crate::contact::laws::{Answer, Asked};
+use crate::contact::laws::{Answer, Asked, Measured};
 use crate::contact::results::add_rotation;
 use crate::overlap::Partner;
 
@@ -22,7 +23,11 @@ pub(super) fn measured_pairs<const D: usize>(
         let tractions = Tractions::new(facets, coords.len(), asked.tangent, rotations);
         if asked.limited { tractions.with_limited(facets, coords.len()) } else { tractions }
     };
-    let found = for_each_pair(contact, coords, |measured| {
+    let each = |work: &(dyn Fn(&Measured<D>) -> Result<Option<_>, Error> + Sync)| match asked.apart {
+        true => with_state(contact, coords, |_| Ok(Vec::new())),
+        false => for_each_pair(contact, coords, work),
+    };
+    let found = each(&|measured| {
         let slides = if contact.history.frozen.is_none() { sliding(contact, measured)? } else { None };
         let (slides_here, wants_energy) = (slides.is_some(), asked.energy);
         let asked = Asked { slides: slides_here, energy: wants_energy || asked.rotations, ..*asked };
@@ -47,6 +52,9 @@ pub(super) fn measured_pairs<const D: usize>(
         answers.extend(contact.cohesions.measured(coords.unshifted, damage, (asked.energy, asked.tangent))?);
     }
     let mut tractions: Vec<_> = tractions.into_iter().flatten().collect();
+    if asked.apart {
+        return Ok((answers, tractions));
+    }
     let frozen = contact.history.frozen_at(coords, &contact.partners.obstacles.poses());
     tractions.extend(frozen.iter().map(tractions_of));
     let pairs: Vec<[Partner; 2]> = tractions.iter().map(|pair| pair.partners).collect();

@@ -25,6 +25,8 @@ pub(crate) struct History<const D: usize> {
     pub(crate) damage: Damage,
     /// Factor by which the contact was made stiffer since it was made.
     pub(crate) stiffened: f64,
+    /// Whether tangents are those of surfaces that are apart, wherever these are, while an equilibrium without contact is sought.
+    pub(crate) is_apart: bool,
 }
 
 /// Where a step began, and how facets bore there.
@@ -46,6 +48,7 @@ impl<const D: usize> History<D> {
             multipliers: Multipliers::default(),
             damage: Damage::new(),
             stiffened: 1.0,
+            is_apart: false,
         }
     }
 

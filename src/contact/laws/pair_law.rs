@@ -59,6 +59,8 @@ pub(crate) struct Asked {
     pub(crate) rotations: bool,
     /// The part of frictional forces that grows with their limits.
     pub(crate) limited: bool,
+    /// What interfaces hold alone, with all surfaces apart.
+    pub(crate) apart: bool,
 }
 
 impl Asked {

@@ -11,6 +11,7 @@ use super::settle::settle;
 use super::state::State;
 use super::trouble::Trouble;
 use super::unknowns::Unknowns;
+use super::unloaded::apart;
 
 /// What is said where the slip of the way would hold no body.
 const COUNTED_ANEW: &str = "the bodies come to rest with slip counted from where they came to rest, but not with that from where the step began";
@@ -39,6 +40,11 @@ pub(super) async fn equilibrium<const D: usize>(
 ) -> Result<Reached<D>, Trouble> {
     if search.is_at_rest(x).await? {
         return balanced(search, x).await;
+    }
+    if let Some(enough) = search.unloaded.take()
+        && let Some((state, verdict)) = apart(search, x, enough).await?
+    {
+        return Ok(Reached { state, verdict, way: Way::Nearest });
     }
     let settled = settle(&search.host, &search.assembly, &search.motions, x, search.has_friction).await?;
     *rigid_steps += settled.steps;

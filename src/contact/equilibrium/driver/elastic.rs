@@ -2,10 +2,10 @@
 
 use super::host::Host;
 use super::trouble::Trouble;
-use super::unknowns::largest;
+use super::unknowns::{Unknowns, largest};
 use crate::Error;
 use crate::contact::evaluation::Contact;
-use crate::geometry::Vector;
+use crate::geometry::{Surface, Vector};
 use nalgebra::DMatrix;
 
 /// The unknowns without the rigid motions of bodies, and the largest entry of any row; all of them, and no bound, where those are not known.
@@ -16,6 +16,25 @@ pub(super) async fn deformed<const D: usize>(host: &Host<D>, x: &[f64]) -> Resul
     Ok((rows.map_or_else(|| x.to_vec(), |rows| host.unknowns.gathered(&rows)), farthest))
 }
 
+/// The unknowns where no body is deformed or moved, but those that are not free where they are; `None` where that is not known.
+pub(super) async fn undeformed<const D: usize>(host: &Host<D>, x: &[f64]) -> Option<Vec<f64>> {
+    let reference =
+        host.contact(|contact| nodes_with_cells(contact).map(|surface| surface.reference().to_vec())).await?;
+    let Unknowns { base, free, .. } = &host.unknowns;
+    if reference.len() != base.len() {
+        return None;
+    }
+    let rows: Vec<[f64; D]> =
+        reference.iter().zip(base).map(|(there, base)| (Vector::from(*there) - Vector::from(*base)).into()).collect();
+    let all = host.unknowns.gathered(&rows);
+    Some((0..all.len()).map(|k| if free[k] { all[k] } else { x[k] }).collect())
+}
+
+/// The surface where its rows of coordinates are the nodes of cells, whose undeformed place is known.
+fn nodes_with_cells<const D: usize>(contact: &Contact<D>) -> Option<&Surface<D>> {
+    Some(contact.surface()).filter(|surface| surface.cells.is_some() && surface.node_count() == surface.unknown_count())
+}
+
 /// Displacement of every row of coordinates beyond the rigid motion of its body; `None` without cells, whose undeformed place is not
 /// known, and where unknowns are no nodes.
 fn elastic_displacement<const D: usize>(
@@ -24,7 +43,7 @@ fn elastic_displacement<const D: usize>(
 ) -> Result<Option<Vec<[f64; D]>>, Error> {
     let surface = contact.surface();
     let points = surface.mesh_points(coords)?;
-    let Some(cells) = surface.cells.as_ref().filter(|_| surface.node_count() == coords.len()) else { return Ok(None) };
+    let Some(cells) = nodes_with_cells(contact).and_then(|surface| surface.cells.as_ref()) else { return Ok(None) };
     let mut of_body: Vec<Vec<usize>> = vec![Vec::new(); surface.body_count()];
     for cell in 0..cells.len() {
         of_body[cells.body[cell] as usize].extend(cells.nodes(cell).iter().map(|&n| n as usize));

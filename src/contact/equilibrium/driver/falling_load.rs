@@ -5,6 +5,7 @@ use super::search::Search;
 use super::state::State;
 use super::trouble::Trouble;
 use super::unknowns::{dot, norm};
+use super::unloaded::is_gone;
 
 /// Part of the forces that has to be out of balance where a step begins, for loads to have changed.
 const CHANGED: f64 = 1e-2;
@@ -15,6 +16,7 @@ const CHANGED: f64 = 1e-2;
 /// residuals by: those of the equilibrium where the step begins do.
 pub(super) async fn falling_load<const D: usize>(search: &mut Search<D>, start: State<D>) -> Result<State<D>, Trouble> {
     let host = &search.host;
+    search.unloaded = is_gone(search, &start).await?;
     let has_any = host.contact(|contact| !contact.history.multipliers.is_empty() || contact.ties.have_multipliers());
     if !has_any.await || start.norm(host) <= CHANGED * norm(&start.forces) {
         return Ok(start);

@@ -19,6 +19,8 @@ use std::sync::Arc;
 /// All of it. After a refusal the contact's history is as it was.
 pub(super) async fn load_step<const D: usize>(asking: Asking<D>, step: LoadStep<D>) -> Result<Found<D>, Refusal> {
     let host = Host::new(asking, step.unknowns.clone());
+    // A search that was left where it was may have left it.
+    host.contact(|contact| contact.history.is_apart = false).await;
     let (before, stiffened) = host.contact(|contact| (contact.multipliers(), contact.history.stiffened)).await;
     let of_ties = host.contact(|contact| contact.ties.multipliers()).await;
     let is_found = host.contact(|contact| contact.options().law.is_without_stiffness()).await;
@@ -32,6 +34,7 @@ pub(super) async fn load_step<const D: usize>(asking: Asking<D>, step: LoadStep<
             updates: Updates::new(&step.options, is_found, stiffened),
             options: step.options,
             has_friction,
+            unloaded: None,
             free: Vec::new(),
             warnings: Vec::new(),
         },

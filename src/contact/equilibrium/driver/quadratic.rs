@@ -45,11 +45,12 @@ impl Quadratic {
     fn least(&self) -> DVector<f64> {
         let mut q = DVector::zeros(self.load.len());
         let mut value = self.value(&q);
+        let mut first = None;
         for _ in 0..MOST {
             let sunk = self.sunk(&q);
             let pushed = self.slopes.transpose() * sunk.component_mul(&self.weights);
             let gradient = &self.stiffness * &q - &self.load + pushed;
-            if gradient.norm() <= 1e-10 * self.load.norm() {
+            if gradient.norm() <= 1e-10 * *first.get_or_insert(gradient.norm()) {
                 break;
             }
             let mut weighted = self.slopes.clone();

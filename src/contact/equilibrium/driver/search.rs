@@ -23,6 +23,8 @@ pub(super) struct Search<const D: usize> {
     pub(super) patches: Option<Patches>,
     pub(super) options: DriverOptions,
     pub(super) has_friction: bool,
+    /// Where the load of the step before is gone: the residual that matters to nobody.
+    pub(super) unloaded: Option<f64>,
     /// Bodies that nothing holds where they have come to rest.
     pub(super) free: Vec<Unheld>,
     /// What the user should know.

@@ -4,7 +4,9 @@ use super::assembly::Assembly;
 use super::host::Host;
 use super::trouble::Trouble;
 use super::unknowns::{dot, largest, norm};
+use crate::Error;
 use crate::contact::equilibrium::descent::Descent;
+use crate::contact::evaluation::{Contact, kernels};
 use crate::contact::results::ContactForces;
 
 /// Units of rounding that a sum over the cells around a node may lose.
@@ -36,20 +38,31 @@ impl<const D: usize> State<D> {
     /// With `matrix` the host has the bodies' matrix of this place from now on.
     pub(super) async fn at(host: &Host<D>, x: Vec<f64>, matrix: bool) -> Result<Self, Trouble> {
         let (inside, energy) = host.forces(&x, matrix).await?;
-        Self::balanced(host, x, inside, energy).await
+        Self::balanced(host, x, (inside, energy), Contact::evaluate).await
+    }
+
+    /// The same while surfaces count as apart.
+    pub(super) async fn apart(host: &Host<D>, x: Vec<f64>) -> Result<Self, Trouble> {
+        let inside = host.forces(&x, true).await?;
+        Self::balanced(host, x, inside, kernels::evaluate_apart).await
     }
 
     /// The same place where the contact has become another.
     pub(super) async fn again(self, host: &Host<D>) -> Result<Self, Trouble> {
-        Self::balanced(host, self.x, self.inside, self.energy).await
+        Self::balanced(host, self.x, (self.inside, self.energy), Contact::evaluate).await
     }
 
-    async fn balanced(host: &Host<D>, x: Vec<f64>, inside: Vec<f64>, energy: Option<f64>) -> Result<Self, Trouble> {
+    async fn balanced(
+        host: &Host<D>,
+        x: Vec<f64>,
+        (inside, energy): (Vec<f64>, Option<f64>),
+        evaluate: fn(&Contact<D>, &[[f64; D]]) -> Result<ContactForces<D>, Error>,
+    ) -> Result<Self, Trouble> {
         if let Some(unknown) = inside.iter().position(|force| !force.is_finite()) {
             return Err(Trouble::Host(format!("the residual is not finite: the force at unknown {unknown}")));
         }
         let coords = host.unknowns.coords(&x);
-        let contact = host.contact(move |contact| contact.evaluate(&coords)).await?;
+        let contact = host.contact(move |contact| evaluate(contact, &coords)).await?;
         let forces = host.unknowns.gather(&contact.forces);
         let residual = inside.iter().zip(&forces).map(|(inside, force)| inside - force).collect();
         Ok(Self { x, inside, energy, forces, contact, residual })
