@@ -55,6 +55,16 @@ def floats(values: ArrayLike, name: str, shape: Optional[tuple[int, ...]] = None
     return array.astype(np.float64, copy=False)
 
 
+def finite(values: ArrayLike, name: str, shape: Optional[tuple[int, ...]] = None) -> np.ndarray:
+    """The same, of finite numbers. Errors: ``ValueError``, which names the first other one."""
+    array = floats(values, name, shape)
+    if len(others := np.argwhere(~np.isfinite(array))):
+        place = tuple(int(one) for one in others[0])
+        at = f"[{', '.join(map(str, place))}]" if place else ""
+        raise ValueError(f"{name}{at} is {array[place]}, expected finite numbers")
+    return array
+
+
 def rows_of(values: ArrayLike, name: str, shape: tuple[int, ...]) -> np.ndarray:
     """The same of one shape, in dense rows."""
     return np.ascontiguousarray(floats(values, name, shape))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from typing import Any, Callable, Optional
 
 import numpy as np
@@ -59,4 +60,8 @@ class Equilibria:
         _, found, multipliers = self._last
         self._tell(reference, positions)
         self.contact.multipliers.values = multipliers
-        return found.adjoint(by_x, by=names)
+        adjoint = found.adjoint(by_x, by=names)
+        for text in adjoint.warnings:
+            # Programs of such hosts have no other place for it.
+            warnings.warn(text, stacklevel=2)
+        return adjoint

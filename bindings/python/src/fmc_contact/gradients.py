@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from ctypes import byref, c_size_t
 from dataclasses import dataclass
 from typing import Optional
@@ -19,6 +20,17 @@ _OF_PAIRS = {"stiffness": FMC_GRADIENT_STIFFNESS, "gap_offset": FMC_GRADIENT_GAP
 _OF_OBSTACLES = {"positions": None, "rotations": 3}
 _OF_NODES = ("coords", "reference")
 NAMES = (*_OF_NODES, *_OF_OBSTACLES, *_OF_PAIRS)
+
+
+def names_of(by: Iterable[str]) -> tuple[str, ...]:
+    """What derivatives are asked by. Errors: ``ValueError`` for other names, and for one name that is no list."""
+    if isinstance(by, str):
+        raise ValueError(f"'by' is the text '{by}', expected a list of names such as ['positions'], of {', '.join(NAMES)}")
+    names = tuple(by)
+    for name in names:
+        if name not in NAMES:
+            raise ValueError(f"'by' has no value '{name}', expected {', '.join(NAMES)}")
+    return names
 """What there are derivatives by."""
 
 

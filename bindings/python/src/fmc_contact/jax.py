@@ -122,15 +122,15 @@ def equilibrium(contact: Contact, residual: Callable[[Any, Any], Any], free: Arr
 
     def forward(parameters: Any, *arrays: Any) -> tuple[Any, Any]:
         end = of_all(parameters, *arrays)
-        return end, (end, parameters, arrays)
+        return end, (parameters, arrays)
 
     def back(saved: Any, by_x: Any) -> tuple[Any, ...]:
-        end, parameters, arrays = saved
+        parameters, arrays = saved
         bodies, key, *values = asked(parameters, *arrays)
         found = operator.adjoint(bodies, key, np.asarray(by_x), *values)
         is_held = values[1] is None
         return (
-            of_bodies(end, parameters, -found.balance),
+            of_bodies(found.x, parameters, -found.balance),
             found.prescribed if is_held else np.zeros(found.prescribed.shape),
             None if is_held else found.prescribed,
             found.gradients.reference,

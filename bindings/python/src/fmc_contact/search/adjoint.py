@@ -4,19 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
-from typing import Any, Optional, Union
+from typing import Any, Optional
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from .._arrays import floats
+from .._arrays import finite
 from ..errors import UnsupportedError
-from ..gradients import NAMES, Gradients, PairGradient
+from ..gradients import Gradients, PairGradient, names_of
 from .at_equilibrium import AtEquilibrium
-from .bodies import Bodies, Residual, Solve
+from .bodies import Bodies
+from .closed import LAST, End, Place, closed, multipliers_put_back
 from .host import Host
-from .linear import factors
-from .unknowns import Moved
 
 
 @dataclass(frozen=True, eq=False)
@@ -37,6 +36,12 @@ class Adjoint:
         unknowns and the bodies' residual held.
     warnings : list of str
         Where J may have no derivative, or not this one.
+    x : ndarray
+        Where all this is: the equilibrium with closed gaps, in the shape of ``x``. Take dR there.
+    closing : float
+        What closing the gaps adds to J by its derivatives. With it J is right to second order.
+    change : float
+        Change of ``balance`` as gaps close, by its size: how far derivatives are from those of a search that leaves such gaps.
 
     Examples
     --------
@@ -52,27 +57,17 @@ class Adjoint:
     prescribed: np.ndarray
     gradients: Gradients
     warnings: list[str]
-
-
-@dataclass
-class End:
-    """What an equilibrium was found of."""
-
-    given: Union[Residual, Host]
-    solve: Optional[Solve]
-    contact: Any
-    unknowns: Moved
-    solved_for: np.ndarray
     x: np.ndarray
-    forces: np.ndarray
-    reach: float
+    closing: float
+    change: float
 
 
 _AT_EDGE = 1e-3
 """Shift of a multiplier, and mean gap of a node without one, by the largest shift, below which contact just begins or ends."""
 
 _OPEN = 1e-2
-"""Gap of a node under pressure by the largest shift above which J is told to be another one than that of closed gaps."""
+"""Gap of a node under pressure by the largest shift, and change of the derivatives as gaps close, above which J is told to be another one
+than that of closed gaps."""
 
 
 def adjoint(end: End, by_x: ArrayLike, by_forces: Optional[ArrayLike], by: Iterable[str]) -> Adjoint:
@@ -80,49 +75,38 @@ def adjoint(end: End, by_x: ArrayLike, by_forces: Optional[ArrayLike], by: Itera
 
     With R = bodies - F(x, s), gaps g(x) = 0 and their shifts s, J(x, F): Aᵀλ + Gᵀμ = dJ/dx, Sᵀ(λ + a) = 0, where A = dR/dx, G = dg/dx,
     S = dF/ds and a = dJ/dF."""
-    from scipy.sparse import csr_matrix, diags
-
-    names = tuple(by)
-    for name in names:
-        if name not in NAMES:
-            raise ValueError(f"'by' has no value '{name}', expected {', '.join(NAMES)}")
+    names = names_of(by)
     contact, shape = end.unknowns.inner, end.x.shape
-    coords = end.unknowns.coords(end.x.ravel())
-    seed = floats(by_x, "by_x", shape).ravel()
-    seed_of_forces = np.zeros(coords.size) if by_forces is None else floats(by_forces, "by_forces", coords.shape).ravel()
-    matrix = _matrix(end, coords)
-    at = AtEquilibrium(contact, coords, end.reach)
-    # Offsets turn with the surfaces: o = s t(x).
-    shifts = np.repeat(at.values["shift"], at.dim)
-    along = diags(shifts) @ at.towards_by_coords
-    forces_by_coords = at.by_coords + at.by_offsets @ along
-    towards = at.values["towards"][:, : at.dim]
-    count = len(at.values)
-    places = np.arange(count * at.dim)
-    forces_by_shifts = at.by_offsets @ csr_matrix((towards.ravel(), (places, places // at.dim)), (count * at.dim, count))
-
-    unknown = end.unknowns.of_coordinate
-    moved = np.flatnonzero(unknown >= 0)
-    to_coords = csr_matrix((np.ones(len(moved)), (moved, unknown[moved])), (coords.size, end.unknowns.size))
-    total = csr_matrix(matrix) - to_coords.T @ forces_by_coords @ to_coords
-    gaps = at.gaps_by_coords @ to_coords
-    right = seed + to_coords.T @ (forces_by_coords.T @ seed_of_forces)
-    balance, of_gaps = _solved(
-        end, total.tocsr(), gaps.tocsr(), (-to_coords.T @ forces_by_shifts).tocsr(), right, forces_by_shifts.T @ seed_of_forces
-    )
-    prescribed = right - total.T @ balance - gaps.T @ of_gaps
-    prescribed[end.solved_for] = 0.0
-
-    on_nodes = to_coords @ balance + seed_of_forces
-    found = _gradients(at, on_nodes, of_gaps, shifts * (at.by_offsets.T @ on_nodes), forces_by_coords, names)
-    return Adjoint(balance.reshape(shape), of_gaps, prescribed.reshape(shape), found, _warnings(at))
+    nodes = end.unknowns.coords(end.x.ravel()).shape
+    seed = finite(by_x, "by_x", shape).ravel()
+    seed_of_forces = np.zeros(int(np.prod(nodes))) if by_forces is None else finite(by_forces, "by_forces", nodes).ravel()
+    with multipliers_put_back(contact):
+        bodies = _bodies(end)
+        found = Place(end, bodies, end.x.ravel())
+        place = closed(end, bodies, found)
+        if place is None:
+            contact.multipliers.values = found.at.values
+        there = place or found
+        right, balance, of_gaps = _solved(there, seed, seed_of_forces)
+        prescribed = right - there.saddle.total.T @ balance - there.saddle.gaps.T @ of_gaps
+        prescribed[end.solved_for] = 0.0
+        on_nodes, at = there.saddle.to_coords @ balance + seed_of_forces, there.at
+        of_turns = np.repeat(there.saddle.shifts, at.dim) * (at.by_offsets.T @ on_nodes)
+        gradients = _gradients(at, on_nodes, of_gaps, of_turns, there.saddle.forces_by_coords, names)
+    closing, change = 0.0, 0.0
+    if there is not found:
+        before = _solved(found, seed, seed_of_forces)[1]
+        change = float(np.linalg.norm(balance - before) / max(np.linalg.norm(balance), np.finfo(float).tiny))
+        closing = float(seed @ (there.x - found.x) + seed_of_forces @ (there.forces - found.forces))
+    texts = _warnings(found, place, change, closing)
+    return Adjoint(balance.reshape(shape), of_gaps, prescribed.reshape(shape), gradients, texts, there.x.reshape(shape), closing, change)
 
 
-def _matrix(end: End, coords: np.ndarray) -> Any:
-    """The bodies' matrix there. Errors: ``ValueError`` where the contact is not what it was; ``UnsupportedError``."""
+def _bodies(end: End) -> Bodies:
+    """Errors: ``ValueError`` where the contact is not what it was; ``UnsupportedError``."""
     if isinstance(end.given, Host):
         raise UnsupportedError("the adjoint of bodies that solve by themselves")
-    contact = end.unknowns.inner
+    contact, coords = end.unknowns.inner, end.unknowns.coords(end.x.ravel())
     if not np.array_equal(contact.evaluate(coords).forces, end.forces):
         raise ValueError(
             "the contact is not what it was at the equilibrium: ask for the adjoint before obstacles, options or multipliers change, "
@@ -130,31 +114,14 @@ def _matrix(end: End, coords: np.ndarray) -> Any:
         )
     if len(contact.multipliers.values) and len(contact.tie_nodes(coords)):
         raise UnsupportedError("the adjoint of multipliers with bodies that are tied")
-    bodies = Bodies(end.given, end.contact, end.x.shape, end.solved_for, end.solve)
-    bodies.forces(end.x.ravel(), True)
-    return bodies.matrix
+    return Bodies(end.given, end.contact, end.x.shape, end.solved_for, end.solve)
 
 
-def _solved(end: End, total: Any, gaps: Any, by_shifts: Any, right: np.ndarray, of_shifts: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """λ and μ."""
-    free, count = end.solved_for, gaps.shape[0]
-    found, block, own = np.zeros(len(right)), total[free][:, free].T.tocsr(), end.solve
-    if not count:
-        found[free] = own(block, right[free]) if own is not None else factors(block)(right[free])
-        return found, np.zeros(0)
-    across, back = gaps[:, free].T.tocsr(), by_shifts[free].T.tocsr()
-    if own is None:
-        from scipy.sparse import bmat
-        from scipy.sparse.linalg import splu
-
-        both = splu(bmat([[block, across], [back, None]], "csc")).solve(np.concatenate([right[free], of_shifts]))
-        found[free] = both[: len(free)]
-        return found, both[len(free) :]
-    alone = own(block, right[free])
-    columns = np.stack([own(block, across[:, [one]].toarray().ravel()) for one in range(count)], axis=1)
-    of_gaps = np.linalg.solve(back @ columns, back @ alone - of_shifts)
-    found[free] = alone - columns @ of_gaps
-    return found, of_gaps
+def _solved(there: Place, seed: np.ndarray, seed_of_forces: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """The right side, λ and μ."""
+    saddle = there.saddle
+    right = seed + saddle.to_coords.T @ (saddle.forces_by_coords.T @ seed_of_forces)
+    return right, *saddle.transposed(right, saddle.forces_by_shifts.T @ seed_of_forces)
 
 
 def _gradients(
@@ -191,18 +158,23 @@ def _by_gap_offset(at: AtEquilibrium, of_gaps: np.ndarray, pair: PairGradient) -
     return float((of_gaps * at.areas)[is_of_pair & (pair.b[0] == "obstacle")].sum())
 
 
-def _warnings(at: AtEquilibrium) -> list[str]:
-    found = []
+def _warnings(found: Place, there: Optional[Place], change: float, closing: float) -> list[str]:
+    """``there`` is where gaps are closed, if that was found."""
+    texts, at = [], (there or found).at
     if at.edges:
-        found.append(f"{at.edges} degrees of freedom are at an edge, as where friction begins to slide: the derivative is the mean of both sides")
+        texts.append(f"{at.edges} degrees of freedom are at an edge, as where friction begins to slide: the derivative is the mean of both sides")
     if not len(at.values):
-        return found
-    most = at.values["shift"].max()
-    if (worst := np.abs(at.gaps).max()) > _OPEN * most:
-        found.append(
-            f"gaps under pressure are {worst:.1e} where penetrations without multipliers would be {most:.1e}: the derivative is that with "
-            "closed gaps; ask find_equilibrium for a penetration"
+        return texts
+    worst, most = np.abs(found.at.gaps).max(), found.at.values["shift"].max()
+    said = f"gaps under pressure are {worst:.1e} where penetrations without multipliers would be {most:.1e}"
+    asked = f"ask find_equilibrium for a penetration, such as {LAST * found.extent:.0e}"
+    if there is None:
+        texts.append(f"{said}, and could not be closed: the derivative is wrong by an unknown amount; {asked}")
+    elif worst > _OPEN * most or change > _OPEN:
+        texts.append(
+            f"{said}; as they close, J changes by {closing:.1e} and its derivatives by {change:.1%}: the derivative is that with closed gaps, "
+            f"and differences of J as the search leaves it are others; {asked}"
         )
-    if begins := int((at.values["shift"] < _AT_EDGE * most).sum()):
-        found.append(f"{begins} nodes are hardly pressed: where they part, J has an edge")
-    return found
+    if begins := int((at.values["shift"] < _AT_EDGE * at.values["shift"].max()).sum()):
+        texts.append(f"{begins} nodes are hardly pressed: where they part, J has an edge")
+    return texts

@@ -7,9 +7,9 @@ from typing import Any, Optional, Union
 import numpy as np
 from numpy.typing import ArrayLike
 
-from .._arrays import floats
-from .adjoint import End
+from .._arrays import finite, floats
 from .bodies import Bodies, CondensedSteps, Residual, Solve, bodies_of, condensed_of
+from .closed import End
 from .host import Host
 from .likely import refuse_displacements, unconnected
 from .outcome import Equilibrium, NoSupportError, NotConvergedError
@@ -116,7 +116,7 @@ def find_equilibrium(
     refuse_displacements(contact, begin)
     bodies = bodies_of(residual_and_tangent, contact, begin.shape, solved_for, solve)
     unknowns = Moved(contact, begin.size)
-    end = None if prescribed is None else floats(prescribed, "prescribed", begin.shape).ravel().astype(np.float64)
+    end = None if prescribed is None else _prescribed(prescribed, begin, solved_for)
     if penetration is not None and not penetration > 0:
         raise ValueError(f"the penetration is {penetration}, a positive one is wanted")
     steps = _condensed(bodies, two_level)
@@ -133,6 +133,13 @@ def find_equilibrium(
     search.run()
     unknowns.inner._core.renew_options()
     return _ended(search, contact, begin, end, (residual_and_tangent, solve), reach)
+
+
+def _prescribed(values: ArrayLike, begin: np.ndarray, solved_for: np.ndarray) -> np.ndarray:
+    """Of all unknowns; entries at free ones are not read."""
+    found = floats(values, "prescribed", begin.shape).astype(np.float64)
+    found.ravel()[solved_for] = begin.ravel()[solved_for]
+    return finite(found, "prescribed").ravel()
 
 
 def _condensed(bodies: Host, wanted: Optional[bool]) -> Optional[CondensedSteps]:

@@ -11,7 +11,8 @@ from numpy.typing import ArrayLike
 
 from ..errors import FmcError
 from ..result import Result
-from .adjoint import Adjoint, End, adjoint
+from .adjoint import Adjoint, adjoint
+from .closed import End
 
 
 class NotConvergedError(FmcError, RuntimeError):
@@ -96,7 +97,8 @@ class Equilibrium:
     def adjoint(self, by_x: ArrayLike, by_forces: Optional[ArrayLike] = None, by: Iterable[str] = ()) -> Adjoint:
         """Derivatives of a number J(x, F) of the equilibrium, F being the contact's nodal forces: one linear solve, whatever their number.
 
-        Call it before anything of the contact changes. Multipliers follow the parameters: with them J is that of closed gaps.
+        Call it before anything of the contact changes. Multipliers follow the parameters: with them J is that of closed gaps, and the
+        adjoint closes what the search has left by Newton's method; it costs two or three linear solves more.
         With friction it is the derivative of this load step, where the last one ended being held. Needs scipy.
 
         Parameters

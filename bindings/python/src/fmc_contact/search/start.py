@@ -5,12 +5,12 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
-from .._arrays import floats, numbers
+from .._arrays import finite, numbers
 
 
 def start(x: ArrayLike, free: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
     """A copy of where it begins, and the numbers of the unknowns that are solved for, given as numbers or marks."""
-    begin, marks = floats(x, "x").copy(), np.asarray(free)
+    begin, marks = finite(x, "x").copy(), np.asarray(free)
     if marks.dtype == bool:
         if marks.size != begin.size:
             raise ValueError(f"free has {marks.size} marks for {begin.size} unknowns")
