@@ -309,6 +309,13 @@ def test_what_is_no_derivative_is_told():
         found.adjoint(np.ones(3))
     with pytest.raises(ValueError, match="'by' has no value 'shape'"):
         found.adjoint(block.factors, by=["shape"])
+    with pytest.raises(ValueError, match="'by' is the text 'positions', expected a list .*'positions'.*rotations, stiffness"):
+        found.adjoint(block.factors, by="positions")
+    for name in ("by_x", "by_forces"):
+        wrong = block.factors.copy()
+        wrong[2, 1] = np.nan
+        with pytest.raises(ValueError, match=rf"{name}\[2, 1\] is nan, expected finite numbers"):
+            found.adjoint(*((wrong,) if name == "by_x" else (block.factors, wrong)))
     with pytest.raises(UnsupportedError, match="frictional forces by the stiffness"):
         found.adjoint(block.factors, by=["stiffness"])
     block.contact.friction.commit_step(found.x)

@@ -104,6 +104,16 @@ def test_wrong_arguments_are_told(column):
     coords, contact, host = column
     with pytest.raises(ValueError, match=r"prescribed has shape \(16,\), expected \(8, 2\)"):
         find_equilibrium(host, contact, coords, FREE, coords.ravel())
+    wrong = coords.copy()
+    wrong[7, 0] = np.inf
+    with pytest.raises(ValueError, match=r"prescribed\[7, 0\] is inf, expected finite numbers"):
+        find_equilibrium(host, contact, coords, FREE, wrong)
+    with pytest.raises(ValueError, match=r"x\[7, 0\] is inf, expected finite numbers"):
+        find_equilibrium(host, contact, wrong, FREE)
+    # Entries at free unknowns are not read.
+    wrong = pushed(coords, 0.15)
+    wrong.ravel()[FREE] = np.nan
+    assert np.isfinite(find_equilibrium(host, contact, coords, FREE, wrong).x).all()
     with pytest.raises(ValueError, match="residual has 3 entries, x has 16"):
         find_equilibrium(lambda x: (np.zeros(3), np.eye(3)), contact, coords, FREE)
     with pytest.raises(ValueError, match="the penetration is 0"):

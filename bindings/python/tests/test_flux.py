@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 from fmc_contact import Conductance, Contact
-from fmc_contact.errors import NotPositiveError
+from fmc_contact.errors import NoStepError, NotPositiveError
 from test_ranks import on_ranks
 
 
@@ -78,8 +78,12 @@ def test_index_base_changes_nothing():
 
 def test_heat_of_friction_is_the_dissipation():
     contact, coords, is_above = squares(-0.01, friction_coefficient=0.3)
-    contact.friction.begin_step(coords)
     moved = coords + np.where(is_above[:, None], [0.1, 0.0], 0.0)
+    with pytest.raises(NoStepError, match="a step has to begin"):
+        contact.friction_heat(moved)
+    without = squares(-0.01)[0]
+    assert not without.friction_heat(moved).nodes.any()
+    contact.friction.begin_step(coords)
     found = contact.friction_heat(moved, [1.0, 3.0])
     dissipated = contact.evaluate(moved).friction.dissipation
     assert dissipated > 0.01
@@ -97,10 +101,18 @@ def test_bad_input_is_named():
     bad[4] = np.nan
     with pytest.raises(NotPositiveError, match="entry 4 of 'fields'"):
         contact.flux(coords, bad, 1.0)
+    for wrong in (-1.0, np.nan, np.inf):
+        with pytest.raises(NotPositiveError, match=f"the conductance is {wrong}, expected a number >= 0, or tables") as caught:
+            contact.flux(coords, good, wrong)
+        assert caught.value.status == 18
+    with pytest.raises(ValueError, match=r"conductance has shape \(2,\), expected \(\)"):
+        contact.flux(coords, good, [1.0, 2.0])
     with pytest.raises(NotPositiveError, match="entry 0 of 'by_pressure' is -1"):
-        contact.flux(coords, good, -1.0)
-    with pytest.raises(NotPositiveError, match="entry 1 of 'gaps'"):
+        contact.flux(coords, good, Conductance(by_pressure=[(0.0, -1.0)]))
+    with pytest.raises(NotPositiveError, match="entry 1 of 'gaps' is 0.1 after 0.1: by_gap lists its gaps ascending"):
         contact.flux(coords, good, Conductance(by_gap=[(0.1, 1.0), (0.1, 1.0)]))
+    with pytest.raises(NotPositiveError, match="entry 2 of 'pressures' is 1.0 after 2.0: by_pressure lists its pressures ascending"):
+        contact.flux(coords, good, Conductance(by_pressure=[(0.0, 1.0), (2.0, 1.0), (1.0, 1.0)]))
     with pytest.raises(ValueError, match="fields has shape"):
         contact.flux(coords, good[:-1], 1.0)
     with pytest.raises(ValueError, match="by_gap has shape"):

@@ -93,3 +93,19 @@ def test_what_is_not_known_is_refused():
         own.jvp(coords, stiffness=1.0)
     nothing = contact_of(reference, cells).jvp(coords)
     assert nothing.energy == 0 and not nothing.forces.any()
+
+
+@pytest.mark.parametrize("wrong", [np.nan, np.inf])
+def test_rates_that_are_no_numbers_are_named(wrong):
+    contact, coords = obstacle_scene("depth")
+    contact.obstacles.add_half_space((0.1, -0.9), (0, 1))
+    motion = np.zeros(coords.shape)
+    motion[3, 1] = wrong
+    for rates, place in (
+        ({"motion": motion}, r"motion\[3, 1\]"),
+        ({"positions": [(0.0, wrong)]}, r"positions\[0, 1\]"),
+        ({"rotations": [(0.0, 0.0, wrong)]}, r"rotations\[0, 2\]"),
+        ({"stiffness": wrong}, "stiffness"),
+    ):
+        with pytest.raises(ValueError, match=f"{place} is {wrong}, expected finite numbers"):
+            contact.jvp(coords, **rates)

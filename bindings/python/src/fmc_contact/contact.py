@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import creation, result, tangent
-from ._arrays import View, coords_view, floats, forces_view, vector
+from ._arrays import View, coords_view, finite, floats, forces_view, vector
 from ._constants import FMC_EVALUATE_ADD, FMC_TANGENT_SEMIDEFINITE, FMC_TANGENT_SYMMETRIC
 from ._core import Core
 from ._library import library
@@ -23,7 +23,7 @@ from .flux import Conductance, ContactFlux, FrictionHeat, flux, friction_heat
 from .forward import Slopes, slopes
 from .friction import FrictionSteps
 from .gaps import GapConstraints, gap_constraints
-from .gradients import NAMES, Gradients, gradients
+from .gradients import Gradients, gradients, names_of
 from .mesh import Mesh
 from .multipliers import Multipliers
 from .obstacles import Obstacles
@@ -549,8 +549,8 @@ class Contact:
         ------
         NotPositiveError
             For a value that is not finite, a negative conductance, or a table that does not ascend.
-        UnsupportedError
-            For a mesh in parts.
+        NoStepError, UnsupportedError
+            With friction, if no step has begun; for a mesh in parts.
         FmcError
             As ``evaluate`` raises.
 
@@ -568,7 +568,7 @@ class Contact:
             return flux(self._core.handle, view, fields, conductance, obstacles, counts, self._core.options.index_base)
 
     def friction_heat(self, coords: ArrayLike, effusivities: Optional[ArrayLike] = None) -> FrictionHeat:
-        """Energy that friction has dissipated since the step began, as heat at nodes and obstacles.
+        """Energy that friction has dissipated since the step began, as heat at nodes and obstacles; zeros without friction.
 
         Parameters
         ----------
@@ -588,7 +588,7 @@ class Contact:
         NotPositiveError
             For an effusivity that is negative or not finite.
         NoStepError, UnsupportedError
-            If no step has begun; for a mesh in parts.
+            With friction, if no step has begun; for a mesh in parts.
         FmcError
             As ``evaluate`` raises.
 
@@ -694,10 +694,7 @@ class Contact:
         >>> gradients.coords.shape == coords.shape
         True
         """
-        names = tuple(by)
-        for name in names:
-            if name not in NAMES:
-                raise ValueError(f"'by' has no value '{name}', expected {', '.join(NAMES)}")
+        names = names_of(by)
         dim = self._core.dim
         view = coords_view(coords, dim)
         forces = None if adjoint is None else coords_view(adjoint, dim, "adjoint")
@@ -736,7 +733,7 @@ class Contact:
         Raises
         ------
         TypeError, ValueError
-            For arrays of another shape.
+            For arrays of another shape, and for rates that are not finite.
         UnsupportedError
             As ``vjp``; by the stiffness where a pair has a law of its own.
         FmcError
@@ -751,8 +748,9 @@ class Contact:
         rows, obstacles = self._core.unknown_count, self._core.obstacle_count
         shapes = {"motion": (rows, self.dim), "positions": (obstacles, self.dim), "rotations": (obstacles, 3)}
         given = {"motion": motion, "positions": positions, "rotations": rotations}
-        rates = [None if rate is None else floats(rate, name, shapes[name]) for name, rate in given.items()]
-        return slopes(self, floats(coords, "coords", (rows, self.dim)), rates[0], rates[1], rates[2], float(stiffness))
+        rates = [None if rate is None else finite(rate, name, shapes[name]) for name, rate in given.items()]
+        along = float(finite(stiffness, "stiffness", ()))
+        return slopes(self, floats(coords, "coords", (rows, self.dim)), rates[0], rates[1], rates[2], along)
 
     def gap_constraints(self, coords: ArrayLike, reach: float) -> GapConstraints:
         """Weighted gaps of all nodes near a partner, apart or overlapping, with their derivative.

@@ -10,10 +10,12 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ._arrays import View, floats, shape_error, vector
+from ._constants import FMC_ERROR_NOT_POSITIVE
 from ._handle import Handle
 from ._library import check, library
 from ._rows import compressed_rows
 from ._structs import fmc_conductance
+from .errors import of_status
 
 
 @dataclass(frozen=True, eq=False)
@@ -23,10 +25,11 @@ class Conductance:
     Attributes
     ----------
     by_pressure : array_like, (entries, 2)
-        Pressures, ascending, and h there, where surfaces touch. Before the first and beyond the last h stays as it is there. One entry is a
-        constant. Without entries nothing flows.
+        Pressures ≥ 0, each larger than the one before, and h ≥ 0 there, where surfaces touch. Before the first and beyond the last h
+        stays as it is there. One entry is a constant. Without entries nothing flows.
     by_gap : array_like, (entries, 2)
-        Gaps, ascending, and h there, where surfaces are apart. Beyond the last nothing flows. Without entries nothing flows.
+        Gaps ≥ 0, each larger than the one before, and h ≥ 0 there, where surfaces are apart. Beyond the last nothing flows. Without
+        entries nothing flows.
 
     Examples
     --------
@@ -162,7 +165,11 @@ def _rows(values: ArrayLike, name: str, count: int) -> np.ndarray:
 def _tables(conductance: Union[float, Conductance]) -> tuple[fmc_conductance, object]:
     """The struct, and the arrays that it points to, to be kept as long."""
     if not isinstance(conductance, Conductance):
-        conductance = Conductance(by_pressure=[(0.0, float(conductance))])
+        number_of_all = float(floats(conductance, "conductance", ()))
+        if not 0 <= number_of_all < np.inf:
+            text = f"the conductance is {number_of_all}, expected a number >= 0, or tables: a Conductance"
+            raise of_status(FMC_ERROR_NOT_POSITIVE, text)
+        conductance = Conductance(by_pressure=[(0.0, number_of_all)])
     struct = fmc_conductance()
     check(library.fmc_conductance_init(byref(struct)))
     kept = []
@@ -171,6 +178,11 @@ def _tables(conductance: Union[float, Conductance]) -> tuple[fmc_conductance, ob
         if table.size and (table.ndim != 2 or table.shape[1] != 2):
             raise shape_error(name, table.shape, "(entries, 2)")
         columns = [np.ascontiguousarray(column) for column in table.reshape(-1, 2).T]
+        falling = np.flatnonzero(np.diff(columns[0]) <= 0)
+        if falling.size:
+            row, (before, here) = falling[0] + 1, columns[0][falling[0] : falling[0] + 2]
+            text = f"entry {row} of '{places}' is {here} after {before}: {name} lists its {places} ascending, each larger than the one before"
+            raise of_status(FMC_ERROR_NOT_POSITIVE, text)
         setattr(struct, number, len(columns[0]))
         setattr(struct, places, columns[0].ctypes.data)
         setattr(struct, name, columns[1].ctypes.data)
