@@ -2,14 +2,19 @@
 
 ``energy`` is twice differentiable by coordinates. An operator tells its contact the undeformed coordinates and the stiffness that it
 is called with, so that the contact is the operator's alone. Tensors are of float64 on the CPU.
+
+``equilibrium`` is the equilibrium of bodies that PyTorch has the residual of, by their parameters.
 """
 
 from __future__ import annotations
 
 from typing import Any, Callable
 
+import numpy as np
 import torch
+from numpy.typing import ArrayLike
 
+from ._equilibria import Equilibria
 from ._operators import Operator
 from .contact import Contact
 
@@ -54,6 +59,95 @@ def forces(contact: Contact) -> Callable[..., Any]:
         The function raises it for tensors other than float64 on the CPU.
     """
     return _applied(_Forces, Operator(contact))
+
+
+def equilibrium(contact: Contact, residual: Callable[[Any, Any], Any], free: ArrayLike, **options: Any) -> Callable[..., Any]:
+    """The equilibrium as a function ``of(parameters, x, prescribed=None, reference=None, positions=None)``, which returns the end x.
+
+    Differentiable once, by ``parameters``, ``prescribed`` (without it by ``x`` where unknowns are held), ``reference``
+    (undeformed coordinates) and ``positions`` (of the obstacles): by one linear system, ``Equilibrium.adjoint``. Each call begins
+    with the multipliers that the contact has now.
+
+    Parameters
+    ----------
+    contact : Contact
+        The contact. With friction its step has begun; the slip at its start is held.
+    residual : callable
+        Takes x, (n, dim), and the parameters, and returns internal minus external forces without contact, (n, dim). PyTorch
+        differentiates it, by x to a dense matrix.
+    free : array_like
+        As for ``find_equilibrium``.
+    **options
+        Those of ``find_equilibrium``.
+
+    Returns
+    -------
+    callable
+        A function of parameters, a tensor or a dict of tensors, and of tensors, all of float64 on the CPU.
+
+    Raises
+    ------
+    TypeError
+        The function raises it for tensors other than float64 on the CPU.
+    NotConvergedError
+        The function raises it as ``find_equilibrium``.
+    """
+    operator = Equilibria(contact, free, options)
+
+    def of(parameters: Any, x: Any, prescribed: Any = None, reference: Any = None, positions: Any = None) -> Any:
+        names = tuple(parameters) if isinstance(parameters, dict) else None
+        leaves = (parameters,) if names is None else tuple(parameters.values())
+        arrays = {"x": x, "prescribed": prescribed, "reference": reference, "positions": positions}
+        _refuse_others({**arrays, **{f"parameters[{name!r}]": leaf for name, leaf in zip(names or ("",), leaves)}})
+
+        def of_bodies(x: Any, *leaves: Any) -> Any:
+            return residual(x, leaves[0] if names is None else dict(zip(names, leaves)))
+
+        return _Equilibrium.apply(operator, of_bodies, names, *arrays.values(), *leaves)
+
+    return of
+
+
+def _asked_of(of_bodies: Any, names: Any, values: Any) -> tuple[Any, ...]:
+    """Bodies, a key, and arrays of numpy."""
+    arrays, leaves = _arrays(*values[:4]), tuple(leaf.detach() for leaf in values[4:])
+
+    def bodies(x: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        at = torch.from_numpy(x)
+        matrix = torch.autograd.functional.jacobian(lambda there: of_bodies(there, *leaves), at)
+        return of_bodies(at, *leaves).detach().numpy().ravel(), matrix.numpy().reshape(x.size, x.size)
+
+    told = (*arrays, *_arrays(*leaves))
+    return bodies, (names, *(None if one is None else (one.shape, one.tobytes()) for one in told)), *arrays
+
+
+class _Equilibrium(torch.autograd.Function):
+    @staticmethod
+    def forward(context: Any, operator: Equilibria, of_bodies: Any, names: Any, *values: Any) -> Any:
+        context.given = operator, of_bodies, names
+        context.save_for_backward(*values)
+        return torch.from_numpy(operator.solved(*_asked_of(of_bodies, names, values)).x.copy())
+
+    @staticmethod
+    @torch.autograd.function.once_differentiable
+    def backward(context: Any, by_x: Any) -> Any:
+        (operator, of_bodies, names), values = context.given, context.saved_tensors
+        bodies, key, *arrays = _asked_of(of_bodies, names, values)
+        found = operator.adjoint(bodies, key, by_x.contiguous().numpy(), *arrays)
+        prescribed, is_held = torch.from_numpy(found.prescribed), values[1] is None
+        leaves = tuple(leaf.detach().requires_grad_() for leaf in values[4:])
+        with torch.enable_grad():
+            forces = of_bodies(torch.from_numpy(found.x), *leaves)
+        of_leaves = torch.autograd.grad(forces, leaves, torch.from_numpy(-found.balance), allow_unused=True)
+        of_contact = (None if one is None else torch.from_numpy(one) for one in (found.gradients.reference, found.gradients.positions))
+        return (None, None, None, prescribed if is_held else None, None if is_held else prescribed, *of_contact, *of_leaves)
+
+
+def _refuse_others(named: dict[str, Any]) -> None:
+    """Errors: ``TypeError`` for tensors other than float64 on the CPU."""
+    for name, value in named.items():
+        if value is not None and (value.dtype != torch.float64 or value.device.type != "cpu"):
+            raise TypeError(f"{name} has dtype {value.dtype} on {value.device}, expected torch.float64 on the CPU")
 
 
 def _arrays(*tensors: Any) -> list[Any]:
@@ -122,9 +216,7 @@ class _Energy(torch.autograd.Function):
 
 def _applied(function: Any, operator: Operator) -> Callable[..., Any]:
     def of(coords: Any, reference: Any = None, stiffness: Any = None) -> Any:
-        for name, value in zip(_NAMES, (coords, reference, stiffness)):
-            if value is not None and (value.dtype != torch.float64 or value.device.type != "cpu"):
-                raise TypeError(f"{name} has dtype {value.dtype} on {value.device}, expected torch.float64 on the CPU")
+        _refuse_others(dict(zip(_NAMES, (coords, reference, stiffness))))
         return function.apply(operator, coords, reference, stiffness)
 
     return of
