@@ -216,7 +216,8 @@ fn tangent_with<const D: usize>(
     part: TangentPart,
     rotations: bool,
 ) -> Result<Tangent<D>, Error> {
-    let asked = Asked { tangent: Some(part), rotations, apart: contact.history.is_apart, ..Asked::default() };
+    let apart = contact.history.apart_at.as_deref() == Some(coords.unshifted);
+    let asked = Asked { tangent: Some(part), rotations, apart, ..Asked::default() };
     let (answers, tractions) = measured_pairs(contact, coords, &asked)?;
     tangent_of(answers.into_iter().filter_map(|answer| answer.tangent), tractions)
 }

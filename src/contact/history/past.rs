@@ -25,8 +25,9 @@ pub(crate) struct History<const D: usize> {
     pub(crate) damage: Damage,
     /// Factor by which the contact was made stiffer since it was made.
     pub(crate) stiffened: f64,
-    /// Whether tangents are those of surfaces that are apart, wherever these are, while an equilibrium without contact is sought.
-    pub(crate) is_apart: bool,
+    /// Where tangents are those of surfaces that are apart, while an equilibrium without contact is sought: nowhere else, should the
+    /// search be left there.
+    pub(crate) apart_at: Option<Vec<[f64; D]>>,
 }
 
 /// Where a step began, and how facets bore there.
@@ -48,7 +49,7 @@ impl<const D: usize> History<D> {
             multipliers: Multipliers::default(),
             damage: Damage::new(),
             stiffened: 1.0,
-            is_apart: false,
+            apart_at: None,
         }
     }
 

@@ -20,7 +20,7 @@ use std::sync::Arc;
 pub(super) async fn load_step<const D: usize>(asking: Asking<D>, step: LoadStep<D>) -> Result<Found<D>, Refusal> {
     let host = Host::new(asking, step.unknowns.clone());
     // A search that was left where it was may have left it.
-    host.contact(|contact| contact.history.is_apart = false).await;
+    host.contact(|contact| contact.history.apart_at = None).await;
     let (before, stiffened) = host.contact(|contact| (contact.multipliers(), contact.history.stiffened)).await;
     let of_ties = host.contact(|contact| contact.ties.multipliers()).await;
     let is_found = host.contact(|contact| contact.options().law.is_without_stiffness()).await;

@@ -12,6 +12,7 @@ use super::search::Search;
 use super::state::State;
 use super::trouble::Trouble;
 use super::unknowns::moved;
+use crate::Error;
 use crate::contact::evaluation::Contact;
 use crate::contact::tangents::TangentPart;
 use nalgebra::{DMatrix, DVector};
@@ -115,9 +116,14 @@ async fn relaxed<const D: usize>(
         }
         let system = System { x: &state.x, part: TangentPart::Full, shift };
         let right = state.residual.iter().map(|force| -force).collect();
-        search.host.contact(|contact| contact.history.is_apart = true).await;
+        let coords = search.host.unknowns.coords(&state.x);
+        let let_apart = search.host.contact(move |contact| {
+            contact.history.apart_at = Some(contact.mesh.points(&coords)?.into_owned());
+            Ok::<_, Error>(())
+        });
+        let_apart.await?;
         let step = search.host.solve(system, right).await;
-        search.host.contact(|contact| contact.history.is_apart = false).await;
+        search.host.contact(|contact| contact.history.apart_at = None).await;
         x = moved(&state.x, 1.0, &step?);
     }
     Ok(None)
