@@ -6,3 +6,4 @@ mod limit;
 mod loose;
 mod protocol;
 mod refused;
+mod unloaded;
