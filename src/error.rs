@@ -260,17 +260,19 @@ pub enum Error {
         /// What it names.
         what: &'static str,
     },
-    /// Friction is asked for, but no step has begun from which slip could be counted.
+    /// No step has begun: with friction slip is counted from there, and [`Contact::commit_step`](crate::Contact::commit_step) ends one.
     NoStep,
     /// The law has no stiffness, and none was found from that of the bodies
     /// ([`Contact::set_layer_stiffness`](crate::Contact::set_layer_stiffness)).
     NoStiffness,
-    /// Two bodies are tied, and face one another nowhere within reach.
+    /// Two bodies are tied, or joined by a cohesive interface, and face one another nowhere within reach.
     Untied {
         /// Both bodies, by index.
         bodies: [usize; 2],
         /// The reach, and how far apart the nearest faces are, in length; infinite where none face one another.
         distances: [f64; 2],
+        /// Whether it is a cohesive interface that should join them.
+        is_cohesive: bool,
     },
     /// The points of a convex hull lie in one plane (2D: on one line), or their hull cannot be found to rounding.
     DegenerateHull {

@@ -129,7 +129,7 @@ impl fmt::Display for Error {
             Error::NoStep => {
                 write!(
                     f,
-                    "with friction a step has to begin before contact is evaluated: call begin_step, or in one call \
+                    "no step has begun: call begin_step before contact with friction is evaluated, and before commit_step; or in one call \
                      contact_force_step"
                 )
             }
@@ -140,13 +140,17 @@ impl fmt::Display for Error {
                      does at its start"
                 )
             }
-            Error::Untied { bodies: [a, b], distances: [reach, nearest] } if nearest.is_finite() => write!(
-                f,
-                "bodies {a} and {b} are tied, and face one another nowhere within {reach:.4e}: the nearest faces are {nearest:.4e} apart, \
-                 or overlap so far; a larger reach ties them across it"
-            ),
-            Error::Untied { bodies: [a, b], .. } => {
-                write!(f, "bodies {a} and {b} are tied, and none of their faces lie opposite one another")
+            Error::Untied { bodies: [a, b], distances: [reach, nearest], is_cohesive } => {
+                let held = if *is_cohesive { "joined by a cohesive interface" } else { "tied" };
+                write!(f, "bodies {a} and {b} are {held}, and ")?;
+                if !nearest.is_finite() {
+                    return write!(f, "none of their faces lie opposite one another");
+                }
+                write!(
+                    f,
+                    "face one another nowhere within {reach:.4e}: the nearest faces are {nearest:.4e} apart, or overlap so far; \
+                     a larger reach holds them together across it"
+                )
             }
             Error::DegenerateHull { point_count } => {
                 write!(f, "the convex hull of these {point_count} points is flat, or cannot be found to rounding")

@@ -25,6 +25,12 @@ impl<const D: usize> Piece<D> {
         self.corners.extend(corners_of_whole::<D>());
     }
 
+    /// Makes it this piece.
+    pub(crate) fn set(&mut self, corners: &[[f64; D]]) {
+        self.corners.clear();
+        self.corners.extend_from_slice(corners);
+    }
+
     /// Keeps the part where the linear function with these values at the facet's corners is at most 0; false if no part
     /// is left.
     pub(crate) fn cut(&mut self, at_corners: &[f64; D]) -> bool {

@@ -39,7 +39,8 @@ pub(crate) struct CohesivePoint {
 }
 
 impl<const D: usize> Cohesion<D> {
-    /// Of two bodies where they face one another within `reach`, at these points of the straight mesh; 0: a tenth of a facet.
+    /// Of two bodies where they face one another within `reach`, at these points of the straight mesh; 0: a tenth of the mean facet
+    /// of the body with the larger facets.
     ///
     /// # Errors
     /// [`Error::Untied`] where they do so nowhere; [`Error::Unsupported`] where faces of one lie above one another within reach.
@@ -53,7 +54,7 @@ impl<const D: usize> Cohesion<D> {
         let vertices = surface.points(points);
         let facing = Facing::of_bodies(surface, &vertices, bodies, reach);
         let (mut found, mut covered) = (Vec::<(usize, Opposite<D>)>::new(), Covered::default());
-        for piece in facing.candidates(bodies).into_iter().filter_map(|pair| facing.common(pair)) {
+        for piece in facing.candidates(false).into_iter().flat_map(|pair| facing.common(pair)) {
             let there = piece.facets[1];
             covered.add(&piece);
             facing.for_each_opposite(points, weighting, &piece, |point| found.push((there, point)));
@@ -61,7 +62,7 @@ impl<const D: usize> Cohesion<D> {
         covered.check()?;
         let area: f64 = found.iter().map(|(_, point)| point.measure).sum();
         if area <= 0.0 {
-            return Err(facing.untied(bodies));
+            return Err(facing.untied(bodies, true));
         }
         let corners = |facet: usize| surface.facets[facet].map(|vertex| surface.nodes_of_vertex(vertex).collect());
         let mut numbers: BTreeMap<(bool, u32), u32> = BTreeMap::new();

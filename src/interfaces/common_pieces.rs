@@ -1,8 +1,9 @@
 //! Pieces of facets of one body that face a facet of another.
 
+use super::between::Between;
 use crate::Error;
 use crate::geometry::aabb::Aabb;
-use crate::geometry::convex_piece::{Corners, Piece, place};
+use crate::geometry::convex_piece::{Corners, Piece, place, value};
 use crate::geometry::facet::{area_vector, determinant};
 use crate::geometry::tree::Tree;
 use crate::geometry::{Surface, Vector};
@@ -34,15 +35,20 @@ pub(super) struct CommonPiece<const D: usize> {
     pub(super) distances: [f64; 2],
 }
 
-/// Facets of two bodies that come within reach of one another and face one another, ordered by the first.
+/// Facets of two bodies that come within reach of one another, face one another and are hidden by nothing, ordered by the first.
 pub(super) struct Facing<'a, const D: usize> {
     pub(super) surface: &'a Surface<D>,
     /// Positions of the surface's vertices.
     pub(super) vertices: &'a [Vector<D>],
+    /// Facets of both sides, by number in the surface.
+    sides: [Vec<usize>; 2],
+    pub(super) between: Between<D>,
     /// How far apart facets may be, or how far they may overlap.
     pub(super) reach: f64,
     /// The same as it was given.
     pub(super) given: f64,
+    /// By how much places may be wrong that are meant to be one.
+    pub(super) rounding: f64,
 }
 
 /// Part of the reach, and units of rounding of a coordinate, by which distances are known.
@@ -50,25 +56,34 @@ const ROUNDED: f64 = 1e-9;
 const UNITS: f64 = 64.0 * f64::EPSILON;
 
 impl<'a, const D: usize> Facing<'a, D> {
-    /// Those of two bodies, within a reach; 0: a tenth of the larger facets.
+    /// Those of two bodies, within a reach; 0: a tenth of the mean size of all facets of the body where that is larger.
     pub(super) fn of_bodies(
         surface: &'a Surface<D>,
         vertices: &'a [Vector<D>],
         bodies: [usize; 2],
         reach: f64,
     ) -> Self {
-        let facing = Self::new(surface, vertices, reach);
-        if reach > 0.0 {
-            return facing;
+        let mut facing = Self::new(surface, vertices, bodies.map(|body| surface.ranges[body].clone().collect()), reach);
+        if reach <= 0.0 {
+            let sizes = facing.sides.each_ref().map(|facets| facing.facet_size(facets.iter().copied()));
+            facing.set_reach(REACH * sizes[0].max(sizes[1]));
         }
-        let sizes = bodies.map(|body| facing.facet_size(surface.ranges[body].clone()));
-        Self::new(surface, vertices, REACH * sizes[0].max(sizes[1]))
+        facing
+    }
+
+    /// The same of these facets of two sides.
+    pub(super) fn new(surface: &'a Surface<D>, vertices: &'a [Vector<D>], sides: [Vec<usize>; 2], reach: f64) -> Self {
+        let rounding = UNITS * vertices.iter().map(|x| x.amax()).fold(0.0, f64::max);
+        let corners = |facet: usize| surface.facets[facet].map(|vertex| vertices[vertex as usize]);
+        let between = Between::new(&sides, corners);
+        let mut facing = Self { surface, vertices, sides, between, reach, given: reach, rounding };
+        facing.set_reach(reach);
+        facing
     }
 
     /// What is as far apart as the reach but for rounding is within it.
-    pub(super) fn new(surface: &'a Surface<D>, vertices: &'a [Vector<D>], reach: f64) -> Self {
-        let farthest = vertices.iter().map(|x| x.amax()).fold(0.0, f64::max);
-        Self { surface, vertices, reach: reach * (1.0 + ROUNDED) + UNITS * farthest, given: reach }
+    fn set_reach(&mut self, given: f64) {
+        (self.reach, self.given) = (given * (1.0 + ROUNDED) + self.rounding, given);
     }
 
     /// The mean size of facets.
@@ -79,13 +94,13 @@ impl<'a, const D: usize> Facing<'a, D> {
     }
 
     /// The least distance between facets that face one another; `None` where none do.
-    fn nearest(&self, bodies: [usize; 2]) -> Option<f64> {
+    fn nearest(&self) -> Option<f64> {
         let farthest = self.vertices.iter().map(|x| x.amax()).fold(0.0, f64::max);
         let mut reach = self.reach;
         while reach < 4.0 * farthest {
             reach *= 4.0;
-            let farther = Facing { reach, ..*self };
-            let pieces = farther.candidates(bodies).into_iter().filter_map(|pair| farther.common(pair));
+            let pieces =
+                self.pairs_within(reach).into_iter().flat_map(|pair| self.common_between(pair, [-reach, reach]));
             let least = pieces.map(|piece| piece.distances[0]).fold(f64::INFINITY, f64::min);
             if least <= reach {
                 return Some(least);
@@ -95,28 +110,32 @@ impl<'a, const D: usize> Facing<'a, D> {
     }
 
     /// Why there is nothing between two bodies.
-    pub(super) fn untied(&self, bodies: [usize; 2]) -> Error {
-        Error::Untied { bodies, distances: [self.given, self.nearest(bodies).unwrap_or(f64::INFINITY)] }
+    pub(super) fn untied(&self, bodies: [usize; 2], is_cohesive: bool) -> Error {
+        Error::Untied { bodies, distances: [self.given, self.nearest().unwrap_or(f64::INFINITY)], is_cohesive }
     }
 
     pub(super) fn corners(&self, facet: usize) -> [Vector<D>; D] {
         self.surface.facets[facet].map(|vertex| self.vertices[vertex as usize])
     }
 
-    /// Pairs of facets of two bodies that may have a common piece.
-    pub(super) fn candidates(&self, bodies: [usize; 2]) -> Vec<[usize; 2]> {
-        self.candidates_among(bodies.map(|body| self.surface.ranges[body].clone().collect()))
+    /// Pairs of facets of both sides that may have a common piece, ordered; with `is_swapped` those of the second side come first.
+    pub(super) fn candidates(&self, is_swapped: bool) -> Vec<[usize; 2]> {
+        let mut found = self.pairs_within(self.reach);
+        if is_swapped {
+            found.iter_mut().for_each(|pair| pair.swap(0, 1));
+            found.sort_unstable();
+        }
+        found
     }
 
-    /// The same among some facets of either.
-    pub(super) fn candidates_among(&self, facets: [Vec<usize>; 2]) -> Vec<[usize; 2]> {
-        let boxes = facets.each_ref().map(|facets| {
-            let inflated = |&facet: &usize| Aabb::of(&self.corners(facet)).inflated(self.reach);
+    fn pairs_within(&self, reach: f64) -> Vec<[usize; 2]> {
+        let boxes = self.sides.each_ref().map(|facets| {
+            let inflated = |&facet: &usize| Aabb::of(&self.corners(facet)).inflated(reach);
             facets.iter().map(inflated).collect::<Vec<_>>()
         });
         let mut found = Vec::new();
         Tree::new(&boxes[0]).visit_pairs(&Tree::new(&boxes[1]), [&boxes[0], &boxes[1]], |i, j| {
-            found.push([facets[0][i as usize], facets[1][j as usize]]);
+            found.push([self.sides[0][i as usize], self.sides[1][j as usize]]);
         });
         found.retain(|&[here, there]| self.face(here, there));
         found.sort_unstable();
@@ -128,45 +147,64 @@ impl<'a, const D: usize> Facing<'a, D> {
         n.dot(&m) < -FACING * n.norm() * m.norm()
     }
 
-    /// The piece of the first facet that faces the second.
-    pub(super) fn common(&self, facets: [usize; 2]) -> Option<CommonPiece<D>> {
+    /// The pieces of the first facet that face the second; one, unless something lies between them in part.
+    pub(super) fn common(&self, facets: [usize; 2]) -> Vec<CommonPiece<D>> {
         self.common_between(facets, [-self.reach, self.reach])
     }
 
     /// The same where the gap lies between two limits, and none where it does so nowhere.
-    pub(super) fn common_within(&self, facets: [usize; 2], limits: [f64; 2]) -> Option<CommonPiece<D>> {
-        self.common_between(facets, limits).filter(|piece| !piece.corners.is_empty())
+    pub(super) fn common_within(&self, facets: [usize; 2], limits: [f64; 2]) -> Vec<CommonPiece<D>> {
+        let mut found = self.common_between(facets, limits);
+        found.retain(|piece| !piece.corners.is_empty());
+        found
     }
 
-    fn common_between(&self, facets: [usize; 2], [least, most]: [f64; 2]) -> Option<CommonPiece<D>> {
-        let [x, y] = facets.map(|facet| self.corners(facet));
-        let n = area_vector(&x).try_normalize(0.0)?;
-        let whole = seen(&y, &n);
-        if whole == 0.0 {
-            return None;
-        }
-        let across = x.map(|x| std::array::from_fn(|k| seen(&with(&y, k, x), &n) / whole));
-        let mut piece = Piece::default();
-        piece.reset();
-        for k in 0..D {
-            if !piece.cut(&across.map(|at: [f64; D]| -at[k])) {
-                return None;
-            }
-        }
-        let gaps: [f64; D] = std::array::from_fn(|c| (place(&y, &across[c]) - x[c]).dot(&n));
-        let whole: f64 = piece.moments().iter().sum();
-        if whole <= ROUNDING {
-            return None;
-        }
-        let at_corners = piece.corners().iter().map(|corner| (0..D).map(|c| corner[c] * gaps[c]).sum::<f64>());
-        let [low, high] = at_corners.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], gap| [a.min(gap), b.max(gap)]);
-        let nearest = if low <= 0.0 && high >= 0.0 { 0.0 } else { low.abs().min(high.abs()) };
-        let is_within = piece.cut(&gaps.map(|gap| gap - most)) && piece.cut(&gaps.map(|gap| least - gap));
-        let size: f64 = if is_within { piece.moments().iter().sum() } else { 0.0 };
-        let corners = if size > ROUNDING { piece.corners().iter().copied().collect() } else { Corners::new() };
-        let distances = [nearest, low.abs().max(high.abs())];
-        Some(CommonPiece { facets, corners, across, gaps, within: size, beyond: (whole - size).max(0.0), distances })
+    /// The part of a facet that a strip along its rim takes, as wide as places are rounded: neighbours have it in common by rounding alone.
+    fn least_part(&self, x: &[Vector<D>; D]) -> f64 {
+        let rim = if D == 2 { 2.0 } else { (0..D).map(|k| (x[(k + 1) % D] - x[k]).norm()).sum() };
+        ROUNDING.max(self.rounding * rim / area_vector(x).norm())
     }
+
+    fn common_between(&self, facets: [usize; 2], [least, most]: [f64; 2]) -> Vec<CommonPiece<D>> {
+        let [x, y] = facets.map(|facet| self.corners(facet));
+        let Some(n) = area_vector(&x).try_normalize(0.0) else { return Vec::new() };
+        let Some((across, gaps)) = seen_along(&x, &y, &n) else { return Vec::new() };
+        let (mut piece, least_part) = (Piece::default(), self.least_part(&x));
+        piece.reset();
+        if !(0..D).all(|k| piece.cut(&across.map(|at| -at[k]))) || piece.moments().iter().sum::<f64>() <= least_part {
+            return Vec::new();
+        }
+        let visible = self.visible(facets, (&x, &n), &gaps, (piece.corners(), least_part));
+        let part = |corners: Corners<D>| {
+            piece.set(&corners);
+            let whole: f64 = piece.moments().iter().sum();
+            let at_corners = corners.iter().map(|corner| value(corner, &gaps));
+            let [low, high] =
+                at_corners.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], gap| [a.min(gap), b.max(gap)]);
+            let nearest = if low <= 0.0 && high >= 0.0 { 0.0 } else { low.abs().min(high.abs()) };
+            let is_within = piece.cut(&gaps.map(|gap| gap - most)) && piece.cut(&gaps.map(|gap| least - gap));
+            let within: f64 = if is_within { piece.moments().iter().sum() } else { 0.0 };
+            let corners = if within > least_part { piece.corners().iter().copied().collect() } else { Corners::new() };
+            let (distances, beyond) = ([nearest, low.abs().max(high.abs())], (whole - within).max(0.0));
+            CommonPiece { facets, corners, across, gaps, within, beyond, distances }
+        };
+        visible.into_iter().map(part).collect()
+    }
+}
+
+/// The barycentric coordinates in a facet y, along a vector n, of the corners of another, x, and how far y lies above them there; `None` where
+/// it is seen edge on.
+pub(super) fn seen_along<const D: usize>(
+    x: &[Vector<D>; D],
+    y: &[Vector<D>; D],
+    n: &Vector<D>,
+) -> Option<([[f64; D]; D], [f64; D])> {
+    let whole = seen(y, n);
+    if whole == 0.0 {
+        return None;
+    }
+    let across = x.map(|x| std::array::from_fn(|k| seen(&with(y, k, x), n) / whole));
+    Some((across, std::array::from_fn(|c| (place(y, &across[c]) - x[c]).dot(n))))
 }
 
 /// What a facet with these corners measures, seen along n, up to a factor.

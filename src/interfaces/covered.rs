@@ -53,9 +53,9 @@ impl Covered {
     /// Refuses facets that are covered twice.
     pub(super) fn check(&self) -> Result<(), Error> {
         match self.0.values().any(|part| part.covered > 1.0 + TWICE) {
-            true => {
-                Err(Error::Unsupported { what: "a tie where faces of one body lie above one another within reach" })
-            }
+            true => Err(Error::Unsupported {
+                what: "bodies that are held together where faces of one lie above one another within reach",
+            }),
             false => Ok(()),
         }
     }

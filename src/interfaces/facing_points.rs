@@ -8,7 +8,7 @@ use crate::geometry::quadrature::for_each_simplex;
 use crate::geometry::simplex_rule::{InSimplex, degree_5};
 use crate::geometry::{Surface, Vector, Weighting};
 
-/// Two surfaces, as they lie.
+/// Facets of two surfaces, by number in the mesh's surface, as they lie.
 pub(crate) struct FacingSurfaces<'a, const D: usize> {
     facing: Facing<'a, D>,
     weighting: Weighting,
@@ -32,29 +32,36 @@ impl<'a, const D: usize> FacingSurfaces<'a, D> {
         surface: &'a Surface<D>,
         vertices: &'a [Vector<D>],
         weighting: Weighting,
+        facets: [Vec<usize>; 2],
         limits: [f64; 2],
     ) -> Self {
-        let facing = Facing::new(surface, vertices, limits[0].abs().max(limits[1].abs()));
+        let facing = Facing::new(surface, vertices, facets, limits[0].abs().max(limits[1].abs()));
         Self { facing, weighting, limits, rule: degree_5(D - 1) }
     }
 
-    /// Pairs of facets, by number in the surface, that may have a piece in common; ordered.
-    pub(crate) fn candidates(&self, facets: [Vec<usize>; 2]) -> Vec<[usize; 2]> {
-        self.facing.candidates_among(facets)
+    /// Pairs of facets, by number in the surface, that may have a piece in common; ordered. With `is_swapped` those of the second side come
+    /// first.
+    pub(crate) fn candidates(&self, is_swapped: bool) -> Vec<[usize; 2]> {
+        self.facing.candidates(is_swapped)
     }
 
     /// Calls `visit` for the points at which the first facet faces the second. Pieces end where the gap is `level`: no sum of points runs
     /// across it.
     pub(crate) fn for_each_point(&self, facets: [usize; 2], level: f64, mut visit: impl FnMut(&FacingPoint<D>)) {
-        let Some(piece) = self.facing.common_within(facets, self.limits) else { return };
+        for piece in self.facing.common_within(facets, self.limits) {
+            self.add_by_level(&piece, level, &mut visit);
+        }
+    }
+
+    fn add_by_level(&self, piece: &CommonPiece<D>, level: f64, visit: &mut impl FnMut(&FacingPoint<D>)) {
         let over = |w: &[f64; D]| value(w, &piece.gaps) - level;
         if !(piece.corners.iter().any(|w| over(w) > 0.0) && piece.corners.iter().any(|w| over(w) < 0.0)) {
-            return self.add(&piece, &piece.corners, &mut visit);
+            return self.add(piece, &piece.corners, visit);
         }
         for sign in [1.0, -1.0] {
             let part = cut(&piece.corners, &piece.gaps.map(|gap| sign * (gap - level)));
             if part.len() >= D {
-                self.add(&piece, &part, &mut visit);
+                self.add(piece, &part, visit);
             }
         }
     }

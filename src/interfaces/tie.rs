@@ -63,7 +63,8 @@ struct Sums {
 }
 
 impl<const D: usize> Tie<D> {
-    /// Ties two bodies where they face one another within `reach`, at these points of the straight mesh; 0: a tenth of a facet.
+    /// Ties two bodies where they face one another within `reach`, at these points of the straight mesh; 0: a tenth of the mean facet
+    /// of the body with the larger facets.
     ///
     /// # Errors
     /// [`Error::Untied`] where they do so nowhere; [`Error::Unsupported`] where faces of one lie above one another within reach.
@@ -76,7 +77,7 @@ impl<const D: usize> Tie<D> {
     ) -> Result<Self, Error> {
         let vertices = surface.points(points);
         let facing = Facing::of_bodies(surface, &vertices, bodies, reach);
-        let candidates = facing.candidates(bodies);
+        let candidates = facing.candidates(false);
         let sizes = [0, 1].map(|side| facing.facet_size(candidates.iter().map(|pair| pair[side])));
         // The first where both are equal.
         let coarser = usize::from(sizes[1] > sizes[0]);
@@ -112,7 +113,7 @@ impl<'a, const D: usize> Build<'a, D> {
         let mut build = Self { facing, points, weighting, sums, area: 0.0, largest_gap: 0.0, covered, tied };
         let mut candidates: Vec<_> = candidates.iter().map(|pair| [pair[side], pair[1 - side]]).collect();
         candidates.sort_unstable();
-        candidates.into_iter().filter_map(|pair| facing.common(pair)).for_each(|piece| build.add(&piece));
+        candidates.into_iter().flat_map(|pair| facing.common(pair)).for_each(|piece| build.add(&piece));
         build
     }
 
@@ -143,7 +144,7 @@ impl<'a, const D: usize> Build<'a, D> {
     fn finish(self, bodies: [usize; 2], is_second: bool) -> Result<Tie<D>, Error> {
         self.covered.check()?;
         if self.area <= 0.0 {
-            return Err(self.facing.untied(bodies));
+            return Err(self.facing.untied(bodies, false));
         }
         let left_out = self.covered.left_out(self.facing, self.weighting, self.area);
         let surface = self.facing.surface;

@@ -14,7 +14,7 @@ fn what_is_no_interface_is_refused_and_changes_nothing() {
     contact.add_obstacle(Obstacle { shape: Shape::HalfSpace, pose: Pose::at([0.0, 0.0]) }).expect("an obstacle");
     let mut refused = |partners, options| contact.set_pair_options(partners, Some(options)).expect_err("no interface");
     let apart = refused([Body(0), Body(1)], PairOptions::with_cohesive(Cohesive { reach: 0.1, ..law() }));
-    let Error::Untied { bodies: [0, 1], distances: [reach, nearest] } = apart else { panic!("{apart}") };
+    let Error::Untied { bodies: [0, 1], distances: [reach, nearest], .. } = apart else { panic!("{apart}") };
     assert!(reach == 0.1 && (nearest - 0.2).abs() < 1e-12, "{apart}");
     // What would have no effect.
     let wide = PairOptions::with_cohesive(Cohesive { reach: 0.3, ..law() });

@@ -2,11 +2,14 @@
 
 #[path = "../scene/scene.rs"]
 mod scene;
+#[path = "../scene/thin.rs"]
+mod thin_bodies;
 
 mod changed;
 mod curve;
 mod derivatives;
 mod history;
+mod thin;
 
 use fmc_contact::contact::{Cohesive, PairOptions};
 use fmc_contact::overlap::Partner::Body;

@@ -4,6 +4,8 @@
 mod blocks;
 #[path = "../scene/scene.rs"]
 mod scene;
+#[path = "../scene/thin.rs"]
+mod thin_bodies;
 
 mod accuracy;
 mod bars;
@@ -11,6 +13,7 @@ mod friction_heat;
 mod obstacles;
 mod properties;
 mod refused;
+mod thin;
 mod ties;
 
 use blocks::{in_space, in_the_plane};

@@ -15,13 +15,13 @@ fn what_cannot_be_tied_is_refused_and_changes_nothing() {
     contact.add_obstacle(Obstacle { shape: Shape::HalfSpace, pose: Pose::at([0.0, 0.0]) }).expect("an obstacle");
     let mut refused = |partners, options| contact.set_pair_options(partners, Some(options)).expect_err("no tie");
     let apart = refused([Body(0), Body(1)], PairOptions::tied(0.1));
-    let Error::Untied { bodies: [0, 1], distances: [reach, nearest] } = apart else { panic!("{apart}") };
+    let Error::Untied { bodies: [0, 1], distances: [reach, nearest], .. } = apart else { panic!("{apart}") };
     assert!(reach == 0.1 && (nearest - 0.2).abs() < 1e-12, "{apart}");
     let named = ["within 1.0000e-1", "2.0000e-1 apart"];
     assert!(named.iter().all(|part| apart.to_string().contains(part)), "{apart}");
     // A tenth of edges of 1/2.
     let by_default = refused([Body(1), Body(0)], PairOptions::tied(0.0));
-    assert!(matches!(by_default, Error::Untied { bodies: [0, 1], distances: [0.05, _] }), "{by_default}");
+    assert!(matches!(by_default, Error::Untied { bodies: [0, 1], distances: [0.05, _], .. }), "{by_default}");
     for options in [PairOptions::tied(-0.1), PairOptions::tied(f64::NAN), PairOptions::tied(f64::INFINITY)] {
         assert!(matches!(refused([Body(0), Body(1)], options), Error::OfPair { .. }));
     }

@@ -4,11 +4,14 @@
 mod blocks;
 #[path = "../scene/scene.rs"]
 mod scene;
+#[path = "../scene/thin.rs"]
+mod thin_bodies;
 
 mod changed;
 mod derivatives;
 mod equations;
 mod patches;
+mod thin;
 mod uniform;
 
 use blocks::{in_space, in_the_plane};

@@ -37,12 +37,11 @@ pub(crate) fn of_bodies<const D: usize>(
     // Along normals of straight facets, without the gap offset.
     let least = -ALONG * (deepest + rounding) - pair.clearance.abs() - heights;
     let most = conductance.reach().max(rounding) + heights - pair.clearance;
-    let surfaces = FacingSurfaces::new(pair.surface, a.points, pair.weighting, [least, most.max(rounding)]);
     let facets = [false, true].map(|of_b| facets_near(pair, of_b, least.abs().max(most)));
-    let mut candidates = surfaces.candidates(facets.clone());
+    let surfaces = FacingSurfaces::new(pair.surface, a.points, pair.weighting, facets, [least, most.max(rounding)]);
+    let mut candidates = surfaces.candidates(false);
     if !pair.is_own() {
-        let [of_a, of_b] = facets;
-        candidates.extend(surfaces.candidates([of_b, of_a]));
+        candidates.extend(surfaces.candidates(true));
     }
     let height = |facet: usize, of_b: bool, at: &[f64; D]| {
         let Partner::Body(body) = pair.partners[usize::from(of_b)] else { return 0.0 };

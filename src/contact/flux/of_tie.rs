@@ -25,11 +25,11 @@ pub(crate) fn of_tie<const D: usize>(
 ) -> Vec<Block<1>> {
     let [a, b] = tie.bodies;
     let sides = if tie.is_second { [b, a] } else { [a, b] };
-    let surfaces = FacingSurfaces::new(of.surface, of.reference, of.weighting, [-tie.reach, tie.reach]);
     let facets = sides.map(|body| of.surface.ranges[body].clone().collect());
+    let surfaces = FacingSurfaces::new(of.surface, of.reference, of.weighting, facets, [-tie.reach, tie.reach]);
     let of_point: BTreeMap<u32, &Vector<D>> = tie.rows.iter().map(|row| row.point).zip(tractions).collect();
     let mut shares = Shares::default();
-    for facets in surfaces.candidates(facets) {
+    for facets in surfaces.candidates(false) {
         // Tractions are those on the other side, which is pressed along the normal of this one.
         let normal = normal_of(of.surface, of.now, facets[0]);
         surfaces.for_each_point(facets, 0.0, |point| {
