@@ -18,6 +18,9 @@ use crate::Error;
 /// What m is by default: damage begins at a hundredth of the opening at which the interface is broken.
 const BRITTLE: f64 = 100.0;
 
+/// The largest m: at a traction of half the strength 1 − d is 1/m or so, of which rounding of d then takes a part of 1e-6.
+const MOST_BRITTLE: f64 = 1e10;
+
 /// Rounds in which the opening of a damage is found; it converges quadratically, from one side.
 const ROUNDS: usize = 64;
 
@@ -35,11 +38,12 @@ pub struct Cohesive {
     /// Exponent η of Benzeggagh and Kenane, at least 1, by which the two are mixed.
     pub exponent: f64,
     /// Traction by opening without damage, and in compression; 0: so much that damage begins at a hundredth of the opening at which
-    /// a linear softening ends, 50 σ²/G.
+    /// a linear softening ends, 50 σ²/G. It is more than σ²/(2 G), and at most 5e9 σ²/G.
     pub stiffness: f64,
     /// How the traction falls.
     pub softening: Softening,
-    /// How far apart faces that belong together may be, or how far they may overlap, a length; 0: a tenth of the larger facets.
+    /// How far apart faces that belong together may be, or how far they may overlap, a length; 0: a tenth of the mean facet
+    /// of the body with the larger facets, all its faces included.
     pub reach: f64,
 }
 
@@ -95,10 +99,14 @@ impl Cohesive {
         Error::check_not_negative("reach", self.reach)?;
         Error::check_not_negative("stiffness", self.stiffness)?;
         if !(self.exponent.is_finite() && self.exponent >= 1.0) {
-            return Err(Error::NotPositive { name: "exponent", value: self.exponent });
+            return Err(Error::NotPositive { name: "mixed_mode_exponent", value: self.exponent });
         }
         if self.brittleness() <= 1.0 {
             let what = "a stiffness of a cohesive interface that is not above strength² / (2 energy): it would break before it yields";
+            return Err(Error::Unsupported { what });
+        }
+        if self.brittleness() > MOST_BRITTLE {
+            let what = "a stiffness of a cohesive interface above 5e9 strength² / energy, 1e8 times the default: damage would be 1 but for rounding";
             return Err(Error::Unsupported { what });
         }
         let law = CohesiveLaw::new(self);

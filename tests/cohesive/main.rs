@@ -9,6 +9,7 @@ mod changed;
 mod curve;
 mod derivatives;
 mod history;
+mod messages;
 mod thin;
 
 use fmc_contact::contact::{Cohesive, PairOptions};

@@ -28,7 +28,9 @@ impl Failure {
     pub(crate) fn in_numbers_from(mut self, index_base: i32) -> Self {
         if let Some(error) = self.error.take() {
             let counted = error.clone().counted_from(index_base as usize);
-            if counted != error {
+            // Not by the errors themselves: none with NaN equals itself.
+            let counted = counted.to_string();
+            if counted != error.to_string() {
                 self.text = format!("{counted}, counted from {index_base}");
             }
         }
@@ -70,6 +72,8 @@ mod tests {
         let error = Error::RepeatedNode { cell: 0, node: 4 };
         assert_eq!(Failure::counted_from(0)(error.clone()).text, "cell or facet 0 names node 4 twice");
         assert_eq!(Failure::counted_from(1)(error).text, "cell or facet 1 names node 5 twice, counted from 1");
+        let not_a_number = Error::NotPositive { name: "damage", value: f64::NAN };
+        assert_eq!(Failure::counted_from(0)(not_a_number).text, "'damage' is NaN, which is not allowed");
         assert_eq!(Failure::counted_from(1)(Error::Empty).text, "there are no cells and no facets");
         let once = Failure::counted_from(1)(Error::NonFiniteSlip { facet: 2 });
         assert_eq!(once.in_numbers_from(1).text, "the slip of facet 3 is not finite, counted from 1");

@@ -125,8 +125,9 @@ impl<const D: usize> Cohesions<D> {
     /// [`Error::Length`]; [`Error::NotPositive`] for a damage outside 0 to 1, or an energy that is negative.
     pub(crate) fn of_list(&self, list: &[PointDamage]) -> Result<Damage, Error> {
         for one in list {
-            Error::check_not_negative("damage", one.damage)?;
-            Error::check_not_negative("1 - damage", 1.0 - one.damage)?;
+            if !(0.0..=1.0).contains(&one.damage) {
+                return Err(Error::NotPositive { name: "damage", value: one.damage });
+            }
             Error::check_not_negative("dissipated", one.dissipated)?;
         }
         let counts = self.all().map(|found| found.map(|(cohesion, _)| (cohesion.bodies, cohesion.points.len())));

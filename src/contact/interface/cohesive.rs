@@ -20,7 +20,8 @@ impl<const D: usize> Contact<D> {
         Ok(all.into_iter().find(|(cohesion, _)| cohesion.bodies.map(Partner::Body) == pair).map(|(cohesion, at)| {
             let [stored, dissipated] = at.energies();
             let area_of = |is: fn(f64) -> bool| {
-                at.points().filter(|(_, at)| is(at.now().damage)).map(|(point, _)| point.measure).sum()
+                // The sum of none would be −0.
+                at.points().filter(|(_, at)| is(at.now().damage)).fold(0.0, |sum, (point, _)| sum + point.measure)
             };
             CohesiveSummary {
                 area: cohesion.area,

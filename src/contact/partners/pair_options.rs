@@ -47,7 +47,7 @@ pub enum Interface {
     /// The energy of the tie is k/2 times the squared means of the jump, with the stiffness k of the pair's law; its rows are those of
     /// [`Contact::tie_constraints`](crate::Contact::tie_constraints). Multipliers take the jump away.
     Tied {
-        /// In length; 0: a tenth of the larger facets.
+        /// In length; 0: a tenth of the mean facet of the body with the larger facets, all its faces included.
         reach: f64,
     },
     /// They are held together where their faces face one another without deformation, as those that are tied, but by an interface that opens,
@@ -75,7 +75,7 @@ impl PairOptions {
         Self { excluded: true, ..Self::default() }
     }
 
-    /// Two bodies that are tied, within a reach; 0: a tenth of the larger facets.
+    /// Two bodies that are tied, within a reach; 0: as of [`Interface::Tied`].
     pub fn tied(reach: f64) -> Self {
         Self { interface: Interface::Tied { reach }, ..Self::default() }
     }

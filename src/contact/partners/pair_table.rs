@@ -133,9 +133,11 @@ fn check(pair: &[Partner; 2], options: &PairOptions, defaults: &Options) -> Resu
         Partner::Obstacle(obstacle) => ("obstacle", obstacle),
     };
     let of_pair = |cause| Error::OfPair { sides: pair.map(side), cause: Box::new(cause) };
-    own.and_then(|()| Options { law, friction, ..*defaults }.check())
+    // What has no effect comes first, whatever its value.
+    check_interface(pair, options, &law)
+        .and(own)
+        .and_then(|()| Options { law, friction, ..*defaults }.check())
         .and_then(|()| check_offset(pair, options, law.needs_depth()))
-        .and_then(|()| check_interface(pair, options, &law))
         .map_err(of_pair)
 }
 

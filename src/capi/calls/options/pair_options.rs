@@ -65,7 +65,8 @@ pub struct fmc_pair_options {
     /// A value of `fmc_softening`, with `FMC_INTERFACE_COHESIVE`. Default `FMC_SOFTENING_LINEAR`.
     pub softening: i32,
     /// How far apart faces that belong together may be, or how far they may overlap, a length, with `FMC_INTERFACE_TIED` and
-    /// `FMC_INTERFACE_COHESIVE`; 0, the default: a tenth of the larger facets.
+    /// `FMC_INTERFACE_COHESIVE`; 0, the default: a tenth of the mean facet of the body with the larger facets, all its
+    /// faces included.
     pub reach: f64,
     /// With `FMC_INTERFACE_COHESIVE`: traction at which damage begins in pure opening, positive.
     pub normal_strength: f64,
@@ -181,6 +182,10 @@ impl fmc_pair_options {
                     Err(Failure::new(FMC_ERROR_OPTIONS_CONFLICT, text))
                 }
             };
+        }
+        if self.interface_kind == fmc_interface::FMC_INTERFACE_COHESIVE as i32 {
+            let text = "option 'law' of a pair has no effect with the interface 'cohesive', which has its own";
+            return Err(Failure::new(FMC_ERROR_OPTIONS_CONFLICT, text));
         }
         // What holds for the law of a context holds here. Of the estimators, "exact" has no options of its own.
         let estimator = fmc_estimator::FMC_ESTIMATOR_EXACT as i32;
