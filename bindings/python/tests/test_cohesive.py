@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from fmc_contact import Contact, FmcError
+from fmc_contact import Contact, FmcError, errors
 from test_ranks import arrays, on_ranks
 
 COORDS = np.array([[0, 0], [2, 0], [2, 1], [0, 1], [0, 1], [1, 1], [2, 1], [0, 2], [1, 2], [2, 2]], float)
@@ -96,8 +96,27 @@ def test_bodies_without_one_are_told_so():
     contact = Contact(COORDS, CONN, "quad", bodies=[0, 1, 1], stiffness=1e3)
     assert contact.cohesive.interface(0, 1, COORDS).area == 0.0
     assert len(contact.cohesive.points(COORDS)) == 0 and contact.cohesive.damage.shape == (0, 2)
-    with pytest.raises(IndexError):
+    with pytest.raises(errors.BodyOutOfRangeError):
         contact.cohesive.interface(-1, 0, COORDS)
+
+
+def test_messages_name_what_was_given():
+    contact = glued()
+    with pytest.raises(FmcError, match="'mixed_mode_exponent' is 0.5"):
+        glued(mixed_mode_exponent=0.5)
+    for law in ({"law": "depth"}, {"law": "depth", "stiffness": 1e4}):
+        with pytest.raises(errors.OptionsConflictError, match="'law' of a pair has no effect with the interface 'cohesive'"):
+            glued(**law)
+    with pytest.raises(FmcError, match="a stiffness of a cohesive interface above 5e9"):
+        glued(stiffness=1e50)
+    damage = contact.cohesive.damage
+    damage[1, 0] = np.nan
+    with pytest.raises(FmcError) as refused:
+        contact.cohesive.damage = damage
+    assert str(refused.value) == "'damage' is NaN, which is not allowed"
+    # Nothing is damaged: a plain zero, not -0.0.
+    told = contact.cohesive.interface(0, 1, COORDS)
+    assert not np.signbit([told.damaged_area, told.broken_area]).any()
 
 
 @pytest.mark.parametrize("size", [2, 3])

@@ -142,3 +142,34 @@ def test_contact_begins_at_a_distance() -> None:
         with pytest.raises(error, match="offset"):
             contact.pairs.set(a, b, gap_offset=offset)
     assert contact.pairs.options(0, 1)["gap_offset"] == 0
+
+
+@pytest.mark.parametrize("wrong", [1.5, 1.0, True, np.True_, "1", None])
+def test_numbers_of_bodies_are_integers(wrong: object) -> None:
+    contact = tower(law="depth", estimator="auto")
+    calls = [
+        lambda: contact.pairs.set(0, wrong, excluded=True),
+        lambda: contact.pairs.set(("body", wrong), FLOOR, excluded=True),
+        lambda: contact.pairs.set(0, ("obstacle", wrong), excluded=True),
+        lambda: contact.pairs.reset(wrong, 0),
+        lambda: contact.pairs.options(0, wrong),
+        lambda: contact.pairs.tie(wrong, 0),
+        lambda: contact.cohesive.interface(0, wrong, TOWER),
+        lambda: contact.obstacles.get(wrong),
+        lambda: contact.obstacles.remove(wrong),
+    ]
+    for call in calls:
+        with pytest.raises(TypeError, match="is no integer"):
+            call()
+
+
+@pytest.mark.parametrize("wrong", [-1, 7, 1 << 64])
+def test_numbers_of_no_body_are_out_of_range(wrong: int) -> None:
+    contact = tower(law="depth", estimator="auto")
+    for call in (contact.pairs.options, contact.pairs.reset, contact.pairs.tie):
+        with pytest.raises(errors.BodyOutOfRangeError, match=f"{wrong}"):
+            call(0, wrong)
+    with pytest.raises(errors.ObstacleOutOfRangeError, match=f"{wrong}"):
+        contact.pairs.options(0, ("obstacle", wrong))
+    # Integers of numpy are integers.
+    assert contact.pairs.options(np.int32(0), np.uint8(1)) == contact.pairs.options(0, 1)

@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike
 
 from ._arrays import coords_view, floats, shape_error, written
 from ._core import Core
+from ._index import index_of
 from ._library import library
 from ._structs import fmc_cohesive, fmc_cohesive_point
 from .errors import LengthError
@@ -137,12 +138,10 @@ class CohesiveInterfaces:
         >>> contact.cohesive.interface(0, 1, coords).point_count
         0
         """
-        for body in (a, b):
-            if body < 0:
-                raise IndexError(f"no body {body}")
+        bodies = index_of("body", a), index_of("body", b)
         view, found = coords_view(coords, self._core.dim), fmc_cohesive()
         with self._core.handle:
-            self._core.handle.call(library.fmc_context_cohesive, int(a), int(b), byref(view.struct), byref(found))
+            self._core.handle.call(library.fmc_context_cohesive, *bodies, byref(view.struct), byref(found))
         energies = (found.stored, found.dissipated, found.damaged_area, found.broken_area)
         return CohesiveInterface(found.area, found.largest_gap, found.point_count, *energies)
 

@@ -299,7 +299,7 @@ class NoStiffnessError(FmcError, RuntimeError):
 
 
 class UntiedError(FmcError, ValueError):
-    """Two bodies are tied, and face one another nowhere within reach."""
+    """Two bodies are tied, or joined by a cohesive interface, and face one another nowhere within reach."""
 
 
 class EndedError(FmcError, RuntimeError):

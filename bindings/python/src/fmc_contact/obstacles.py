@@ -11,16 +11,11 @@ from numpy.typing import ArrayLike
 
 from ._arrays import vector
 from ._core import Core
+from ._index import index_of
 from ._library import library
 from ._structs import fmc_pose, fmc_signed_distance
 from .pose import Placement, Pose, placed, pose_struct
 from .shape import SHAPES, Part, Shape, SignedDistance
-
-
-def _index(obstacle: int) -> int:
-    if obstacle < 0:
-        raise IndexError(f"no obstacle {obstacle}")
-    return obstacle
 
 
 class Obstacle(NamedTuple):
@@ -473,7 +468,7 @@ class Obstacles:
         >>> contact.obstacles.set_pose(floor, (0, -1))
         """
         with self._core.handle:
-            self._core.handle.call(library.fmc_context_set_pose, _index(obstacle), byref(pose_struct(pose, self._core.dim)))
+            self._core.handle.call(library.fmc_context_set_pose, index_of("obstacle", obstacle), byref(pose_struct(pose, self._core.dim)))
 
     def get(self, obstacle: int) -> Obstacle:
         """Shape and pose of an obstacle.
@@ -502,7 +497,7 @@ class Obstacles:
         """
         shape, pose = np.zeros(1, np.int32), fmc_pose()
         with self._core.handle:
-            self._core.handle.call(library.fmc_context_obstacle_shape, _index(obstacle), shape, byref(pose))
+            self._core.handle.call(library.fmc_context_obstacle_shape, index_of("obstacle", obstacle), shape, byref(pose))
         return Obstacle(SHAPES[int(shape[0])], placed(pose, self._core.dim))
 
     def remove(self, obstacle: int) -> None:
@@ -528,7 +523,7 @@ class Obstacles:
         1
         """
         with self._core.handle:
-            self._core.handle.call(library.fmc_context_remove_obstacle, _index(obstacle))
+            self._core.handle.call(library.fmc_context_remove_obstacle, index_of("obstacle", obstacle))
             self._core.handle.release(obstacle)
 
     def set_rotations(self, on: bool) -> None:

@@ -14,6 +14,7 @@ from ._constants import (
     FMC_SOFTENING,
 )
 from ._core import Core
+from ._index import index_of
 from ._library import check, library
 from ._structs import fmc_pair_options, fmc_tie
 from .ties import Tie
@@ -31,9 +32,7 @@ def _named(partner: Partner) -> tuple[int, int]:
     numbers = {name: number for number, name in FMC_PARTNER.items()}
     if kind not in numbers:
         raise ValueError(f"no partner '{kind}', expected body or obstacle")
-    if index < 0:
-        raise IndexError(f"no {kind} {index}")
-    return numbers[kind], int(index)
+    return numbers[kind], index_of(kind, index)
 
 
 class Pairs:
@@ -111,7 +110,7 @@ class Pairs:
             contact anywhere. See ``tie``. ``"cohesive"``: they are held together there until they break. See ``contact.cohesive``.
         reach : float
             Of bodies that are tied or held together: the largest gap or overlap between faces that belong together (length). A gap
-            stays as it is. 0: a tenth of the larger facets.
+            stays as it is. 0: a tenth of the mean facet of the body with the larger facets, all its faces included.
         normal_strength, shear_strength : float
             Of a cohesive interface: the tractions at which damage begins in pure opening and in pure sliding. That of sliding is by
             default that of opening.
@@ -127,6 +126,8 @@ class Pairs:
         ------
         BodyOutOfRangeError, ObstacleOutOfRangeError
             If there is no such partner.
+        TypeError
+            If the number of a body or an obstacle is no integer.
         NotPositiveError
             If a value is not positive.
         BadValueError, OptionsConflictError
@@ -134,7 +135,7 @@ class Pairs:
         UnsupportedError
             For two obstacles, for a law that the estimator does not support, and for a gap offset or a tie that cannot be.
         UntiedError
-            If bodies that are tied lie opposite each other nowhere within reach.
+            If bodies that are tied, or joined by a cohesive interface, lie opposite each other nowhere within reach.
 
         Examples
         --------
@@ -261,5 +262,5 @@ class Pairs:
         """
         found = fmc_tie()
         with self._core.handle:
-            self._core.handle.call(library.fmc_context_tie, _named(a)[1], _named(b)[1], byref(found))
+            self._core.handle.call(library.fmc_context_tie, index_of("body", a), index_of("body", b), byref(found))
         return Tie(found.area, found.largest_gap, found.node_count)

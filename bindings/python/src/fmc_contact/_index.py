@@ -1,0 +1,25 @@
+"""Numbers of bodies and obstacles, as they are given."""
+
+from __future__ import annotations
+
+from operator import index
+from typing import Any
+
+import numpy as np
+
+from .errors import BodyOutOfRangeError, ObstacleOutOfRangeError
+
+_OUT_OF_RANGE = {"body": BodyOutOfRangeError, "obstacle": ObstacleOutOfRangeError}
+
+
+def index_of(kind: str, number: Any) -> int:
+    """The number of a body or an obstacle: an integer that is not negative. Whether there is one so high the library says."""
+    try:
+        found = None if isinstance(number, (bool, np.bool_)) else index(number)
+    except TypeError:
+        found = None
+    if found is None:
+        raise TypeError(f"{kind} {number!r} is no integer")
+    if not 0 <= found < 1 << 63:
+        raise _OUT_OF_RANGE[kind](f"there is no {kind} {found}")
+    return found
