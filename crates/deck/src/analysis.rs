@@ -1,18 +1,23 @@
 //! What a file means for its mesh, and its solution.
 //!
-//! `bodies` (connected parts of the mesh) · `notes` (what is taken in another sense) ·
+//! `bodies` (connected parts of the mesh) · `facets` (their sizes) · `notes` (what is taken in another sense) ·
 //! `pairs` (who touches, rubs or is tied) · `timed` (a value over a step) · `state` (what is held
-//! and loaded, step after step) · `spread` (loads on faces and volumes) · `solve` (equilibria) · `result` (what a step leaves)
+//! and loaded, step after step) · `spread` (loads on faces and volumes) · `symmetry` (planes that supports make) · `ties` (how far they reach) · `solve` (equilibria) · `result` (what a step leaves) · `warnings` (the library's, in words of files)
 
 mod bodies;
+mod facets;
 mod notes;
 mod pairs;
 mod result;
 mod solve;
 mod spread;
 mod state;
+mod symmetry;
+mod ties;
 mod timed;
+mod warnings;
 
 pub(crate) use bodies::{Bodies, Places};
-pub use result::{PairResult, StepResult};
+pub(crate) use facets::area;
+pub use result::{PairResult, StepResult, TieResult};
 pub use solve::{Analysis, SolveOptions, Solved};

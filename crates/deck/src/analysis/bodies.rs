@@ -77,8 +77,9 @@ impl Places {
         let model = Model::new(parts).and_then(|model| model.with_threads(threads)).map_err(|error| {
             let Error::InvertedCell { part, cell } = &error else { return Fault::new(1, error.to_string()) };
             let body = names.iter().position(|name| name == part).unwrap_or(0);
-            let label = all[of_body[body][*cell]].2;
-            Fault::new(1, format!("{part}: element {label} is inverted or has no volume"))
+            let cell = of_body[body][*cell];
+            let label = all[cell].2;
+            Fault::new(deck.elements[cell].line, format!("{part}: element {label} is inverted or has no volume"))
         })?;
         let cells = of_body.into_iter().flatten().collect();
         Ok((Self { node_of, body_of, nodes, cells, is_finite }, model))
@@ -127,13 +128,20 @@ fn materials(deck: &Deck, is_finite: bool) -> Result<Vec<(Material, usize)>, Fau
         let material = row.material(is_finite)?;
         for instance in deck.names.instances_of(&section.scope) {
             for cell in deck.names.find(Kind::Cell, instance, &section.set, section.line)? {
-                found[cell] = Some((material, section.line));
+                let before = found[cell].replace((material, section.line));
+                if let Some((_, line)) = before.filter(|(other, _)| *other != material) {
+                    let label = deck.mesh.cells().nth(cell).map_or(0, |(_, _, label, _)| label);
+                    let message = format!("element {label} has another material by the section of line {line}");
+                    return Err(Fault::new(section.line, message));
+                }
             }
         }
     }
     let labels = deck.mesh.cells().map(|(_, _, label, _)| label);
-    let missing = |label: u64| Fault::new(1, format!("element {label} has no *SOLID SECTION"));
-    found.into_iter().zip(labels).map(|(found, label)| found.ok_or_else(|| missing(label))).collect()
+    let missing = |label: u64, line: usize| Fault::new(line, format!("element {label} has no *SOLID SECTION"));
+    let lines = deck.elements.iter().map(|row| row.line);
+    let all = found.into_iter().zip(labels.zip(lines));
+    all.map(|(found, (label, line))| found.ok_or_else(|| missing(label, line))).collect()
 }
 
 /// A name that no other body has: that of the group of its first cell, or its number.

@@ -1,6 +1,8 @@
 //! Which bodies touch, rub or are tied.
 
 use super::Bodies;
+use super::spread::face_number;
+use super::ties::{facet_size, reach};
 use crate::Fault;
 use crate::read::{Deck, Kind, PairRow, SurfaceRow};
 use fmc_contact::EnergyLaw;
@@ -14,11 +16,28 @@ pub(crate) type Pairs = BTreeMap<[usize; 2], PairOptions>;
 pub(super) fn stiffness(deck: &Deck) -> Result<Option<f64>, Fault> {
     let of = |row: &PairRow| deck.interactions.get(&row.interaction).and_then(|interaction| interaction.stiffness);
     let Some(row) = deck.pairs.iter().find(|row| of(row).is_some()) else { return Ok(None) };
-    let is_mixed = deck.pairs.iter().any(|row| of(row).is_none()) || !deck.ties.is_empty();
+    let slope = of(row);
+    let is_mixed = deck.pairs.iter().any(|row| of(row) != slope) || !deck.ties.is_empty();
     match is_mixed {
-        true => Err(Fault::new(row.line, "LINEAR is known for all contact pairs, and not beside *TIE")),
+        true => Err(Fault::new(row.line, "LINEAR is known for all contact pairs with one slope, and not beside *TIE")),
         false => Ok(of(row)),
     }
+}
+
+/// Lengths up to which gaps are closed and overlaps removed before the first step, if the file asks for it. CalculiX and Abaqus move all
+/// nodes that overlap, and those that are nearer than `ADJUST`.
+pub(super) fn adjustment<const D: usize>(deck: &Deck, bodies: Bodies<D>) -> Result<Option<[f64; 2]>, Fault> {
+    let Some(row) = deck.pairs.iter().find(|row| row.adjust.is_some()) else { return Ok(None) };
+    let close = row.adjust.unwrap_or(0.0);
+    if let Some(other) = deck.pairs.iter().find(|other| other.adjust != row.adjust) {
+        return Err(Fault::new(other.line, "ADJUST of *CONTACT PAIR is known for all contact pairs with one length"));
+    }
+    if !deck.ties.is_empty() {
+        return Err(Fault::new(row.line, "ADJUST of *CONTACT PAIR is not known beside *TIE"));
+    }
+    let all = 0..bodies.model.parts().len();
+    let facet = all.map(|body| facet_size(bodies, body)).fold(f64::INFINITY, f64::min);
+    Ok(Some([close, close.max(facet)]))
 }
 
 /// The pairs that a file names, and that all others are left out.
@@ -39,9 +58,15 @@ pub(super) fn pairs<const D: usize>(deck: &Deck, bodies: Bodies<D>) -> Result<Pa
             .interactions
             .get(&row.interaction)
             .ok_or_else(|| Fault::new(row.line, format!("there is no *SURFACE INTERACTION '{}'", row.interaction)))?;
+        if interaction.is_tied {
+            for pair in between(deck, bodies, row.line, &row.surfaces, false)? {
+                put(pair, PairOptions::tied(reach(bodies, pair)), row.line)?;
+            }
+            continue;
+        }
         let options = PairOptions {
             law: interaction.stiffness.map(EnergyLaw::depth),
-            friction_coefficient: (interaction.friction > 0.0).then_some(interaction.friction),
+            friction_coefficient: interaction.friction.filter(|coefficient| *coefficient > 0.0),
             ..PairOptions::default()
         };
         let is_self = row.surfaces[0].eq_ignore_ascii_case(&row.surfaces[1]);
@@ -51,7 +76,8 @@ pub(super) fn pairs<const D: usize>(deck: &Deck, bodies: Bodies<D>) -> Result<Pa
     }
     for row in &deck.ties {
         for pair in between(deck, bodies, row.line, &row.surfaces, false)? {
-            put(pair, PairOptions::tied(row.reach), row.line)?;
+            let reach = if row.reach > 0.0 { row.reach } else { reach(bodies, pair) };
+            put(pair, PairOptions::tied(reach), row.line)?;
         }
     }
     let count = bodies.model.parts().len();
@@ -97,10 +123,24 @@ fn bodies_of<const D: usize>(
             }
         } else {
             let cells = deck.names.find(Kind::Cell, instance, &row.set, row.line)?;
+            check_faces(deck, row, &cells)?;
             found.extend(cells.into_iter().map(|cell| bodies.places.body_of[cell]));
         }
     }
     Ok(found)
+}
+
+/// Cells have the face that a row names, if it names one. Cells of one type are alike.
+fn check_faces(deck: &Deck, row: &SurfaceRow, cells: &[usize]) -> Result<(), Fault> {
+    let mut known: Vec<&str> = Vec::new();
+    for &cell in cells.iter().filter(|_| !row.face.is_empty()) {
+        let kind = deck.elements[cell].kind.as_str();
+        if !known.contains(&kind) {
+            face_number(deck, cell, row)?;
+            known.push(kind);
+        }
+    }
+    Ok(())
 }
 
 /// The instance of a surface, whether it is of nodes, and its rows.

@@ -1,8 +1,10 @@
 //! What a step leaves.
 
-use fmc_contact::contact::{Interface, PairForces, PairOptions};
+use super::ties;
+use super::warnings::worded;
+use fmc_contact::contact::{Adjustment, Interface, PairForces, PairOptions};
 use fmc_contact::overlap::Partner;
-use fmc_solid::statics::Equilibrium;
+use fmc_solid::statics::{Equilibrium, StaticsError};
 
 /// A pair of bodies that touch or are tied.
 #[derive(Clone, Debug, PartialEq)]
@@ -19,6 +21,23 @@ pub struct PairResult {
     pub pressure: f64,
 }
 
+/// A tie, as it was found where nothing is deformed.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TieResult {
+    /// Names of both bodies.
+    pub names: [String; 2],
+    /// How far apart faces may be that are tied.
+    pub reach: f64,
+    /// What is tied, in area (2D: length).
+    pub area: f64,
+    /// Largest gap that is kept.
+    pub gap: f64,
+    /// Nodes of the side that holds.
+    pub nodes: usize,
+    /// Facets of that side whose corners are all tied.
+    pub facets: usize,
+}
+
 /// The end of a step.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StepResult {
@@ -28,8 +47,12 @@ pub struct StepResult {
     pub time: f64,
     /// Linear systems solved, of all steps until then.
     pub iterations: usize,
-    /// Residual by the forces.
+    /// Norm of the forces that are not balanced.
     pub residual: f64,
+    /// The largest norm of forces, of this step and those before it: what the residual is small against.
+    pub largest_force: f64,
+    /// What the start has closed and removed, if the file asks for it.
+    pub adjustment: Option<Adjustment>,
     /// Sum of what holds the bodies.
     pub reaction: [f64; 3],
     /// Names of node sets whose reactions the file asks for, and the sum of each.
@@ -40,6 +63,8 @@ pub struct StepResult {
     pub displacement: f64,
     /// Pairs in contact.
     pub pairs: Vec<PairResult>,
+    /// All ties.
+    pub ties: Vec<TieResult>,
     /// Names of the bodies, and the force of contact and ties on each.
     pub bodies: Vec<(String, [f64; 3])>,
     /// What the library has to say.
@@ -47,12 +72,17 @@ pub struct StepResult {
 }
 
 impl StepResult {
-    /// Of a step that ends at a time; `sets` are nodes of the model, by name.
+    /// Of a step that ends at a time; `sets` are nodes of the model, by name, and `label` is that of a node in the file.
+    ///
+    /// # Errors
+    /// Those of the contact.
     pub(super) fn new<const D: usize>(
         at: &Equilibrium<D>,
         (number, time): (usize, f64),
+        largest_force: f64,
         sets: &[(String, Vec<usize>)],
-    ) -> Self {
+        label: &dyn Fn(usize) -> u64,
+    ) -> Result<Self, StaticsError> {
         let (balance, model) = (at.balance(), at.model());
         let reaction_of = |is_in: &dyn Fn(usize) -> bool| {
             let mut sum = [0.0; 3];
@@ -84,22 +114,25 @@ impl StepResult {
             pressure: pair.pressure,
         };
         let contact = &balance.contact;
-        let mut warnings: Vec<String> = contact.warnings.iter().map(ToString::to_string).collect();
-        warnings.extend(at.warnings.iter().filter(|text| !warnings.contains(text)).cloned().collect::<Vec<_>>());
+        let names: Vec<String> = model.parts().iter().map(|part| part.name.clone()).collect();
+        let warnings = worded(&contact.warnings, &at.warnings, &names, label);
         let squares = at.displacement().iter().map(|u| u.iter().map(|x| x * x).sum::<f64>());
         let bodies = contact.bodies.iter().zip(model.parts()).map(|(b, part)| (part.name.clone(), in_space(&b.force)));
-        Self {
+        Ok(Self {
             number,
             time,
             iterations: at.iterations,
-            residual: balance.relative(),
+            residual: balance.norm,
+            largest_force,
+            adjustment: at.problem().adjust.map(|_| at.adjustment),
             reaction,
             sets,
             load,
             displacement: squares.fold(0.0, f64::max).sqrt(),
             pairs: contact.pairs.iter().map(pair).collect(),
+            ties: ties::results(at)?,
             bodies: bodies.collect(),
             warnings,
-        }
+        })
     }
 }

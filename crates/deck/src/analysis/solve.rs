@@ -1,9 +1,10 @@
 //! Equilibria of all steps.
 
 use super::notes::notes;
-use super::pairs::{pairs, stiffness};
+use super::pairs::{adjustment, pairs, stiffness};
 use super::result::StepResult;
 use super::state::{State, nodes};
+use super::symmetry::planes;
 use super::{Bodies, Places};
 use crate::Fault;
 use crate::read::{Deck, Note};
@@ -11,6 +12,7 @@ use fmc_contact::contact::PairOptions;
 use fmc_contact::{EnergyLaw, Options};
 use fmc_solid::fem::{Constraints, Model};
 use fmc_solid::statics::{Equilibrium, Iteration, NewtonSettings, Path, Problem, StaticsError};
+use std::collections::BTreeSet;
 use std::ops::ControlFlow;
 
 /// How a file is solved.
@@ -41,6 +43,9 @@ pub struct Analysis<'a, const D: usize> {
     sets: Vec<(String, Vec<usize>)>,
     /// Pressure by penetration; 0: found by the search.
     stiffness: f64,
+    /// See [`Problem::symmetry_planes`] and [`Problem::adjust`].
+    planes: Vec<[[f64; D]; 2]>,
+    adjust: Option<[f64; 2]>,
     options: SolveOptions,
     /// Where the nodes and cells of the model stand in the file: nodes, then cells.
     pub order: [Vec<usize>; 2],
@@ -71,15 +76,20 @@ impl<'a, const D: usize> Analysis<'a, D> {
         let pairs = pairs(deck, bodies)?.into_iter().collect();
         let mut state = State::new(deck, bodies)?;
         // Every step is read once before the first is solved: a wrong name in the last is known at once.
+        let mut held: Option<BTreeSet<(usize, usize)>> = None;
         for step in &deck.steps {
             state.begin(deck, bodies, step)?;
+            let now = state.held();
+            held = Some(held.map_or(now.clone(), |before| before.intersection(&now).copied().collect()));
         }
+        let planes = planes(bodies, &held.unwrap_or_default());
+        let adjust = adjustment(deck, bodies)?;
         let state = State::new(deck, bodies)?;
         let sets = deck.reactions.iter().map(|(set, line)| Ok((set.clone(), nodes(deck, bodies, set, *line)?)));
         let sets = sets.collect::<Result<_, Fault>>()?;
         let order = [places.nodes.clone(), places.cells.clone()];
         let notes = notes(deck, places.is_finite)?;
-        Ok(Self { deck, model, places, state, pairs, sets, stiffness, options, order, notes })
+        Ok(Self { deck, model, places, state, pairs, sets, stiffness, planes, adjust, options, order, notes })
     }
 
     /// Number of steps.
@@ -97,15 +107,24 @@ impl<'a, const D: usize> Analysis<'a, D> {
         reached: &mut dyn FnMut(&Equilibrium<D>, StepResult) -> anyhow::Result<()>,
     ) -> anyhow::Result<Solved> {
         let node_count = self.model.node_count();
+        let start = Start {
+            pairs: self.pairs,
+            stiffness: self.stiffness,
+            planes: self.planes,
+            adjust: self.adjust,
+            options: self.options,
+        };
+        let label = |node: usize| self.places.nodes.get(node).map_or(0, |&node| self.deck.mesh.node_tags[node]);
+        let mut largest_force: f64 = 0.0;
         let mut kept = Kept::Model(self.model);
         for (number, step) in self.deck.steps.iter().enumerate() {
             let bodies = Bodies { model: kept.model(), places: &self.places };
             self.state.begin(self.deck, bodies, step)?;
-            let mut before = 0.0;
+            let (mut before, mut taken, mut halvings) = (0.0, 0, kept.halvings());
             for time in self.state.stages() {
                 let (supports, load) = self.state.at(time, node_count);
                 let mut at = match kept {
-                    Kept::Model(model) => first(model, (&self.pairs, self.stiffness), &self.options, (supports, load))?,
+                    Kept::Model(model) => start.equilibrium(model, (supports, load))?,
                     Kept::Equilibrium(mut at) => {
                         at.next_step(supports, load)?;
                         *at
@@ -119,8 +138,16 @@ impl<'a, const D: usize> Analysis<'a, D> {
                     Err(error) => return Ok(Solved::Failed(number + 1, error)),
                 }
                 before = time;
+                largest_force = largest_force.max(at.balance().scale);
+                // Each halving makes one load step more, at least.
+                taken += steps + at.halvings - halvings;
+                halvings = at.halvings;
                 if time == step.period {
-                    let result = StepResult::new(&at, (number + 1, self.state.total_time(time)), &self.sets);
+                    let when = (number + 1, self.state.total_time(time));
+                    let mut result = StepResult::new(&at, when, largest_force, &self.sets, &label)?;
+                    if let Some(most) = step.most.filter(|most| *most < taken) {
+                        result.warnings.push(format!("the step took {taken} increments, more than its INC={most}"));
+                    }
                     reached(&at, result)?;
                 }
                 kept = Kept::Equilibrium(Box::new(at));
@@ -143,19 +170,36 @@ impl<const D: usize> Kept<D> {
             Self::Equilibrium(at) => at.model(),
         }
     }
+
+    fn halvings(&self) -> usize {
+        match self {
+            Self::Model(_) => 0,
+            Self::Equilibrium(at) => at.halvings,
+        }
+    }
 }
 
-/// What begins the first step.
-fn first<const D: usize>(
-    model: Model<D>,
-    (pairs, stiffness): (&[([usize; 2], PairOptions)], f64),
-    options: &SolveOptions,
-    (supports, load): (Constraints<D>, Vec<[f64; D]>),
-) -> anyhow::Result<Equilibrium<D>> {
-    let contact = Options { threads: options.threads, ..Options::new(EnergyLaw::depth(stiffness)) };
-    let problem = Problem { supports, load, pairs: pairs.to_vec(), ..Problem::new(model, contact) };
-    let mut at = Equilibrium::new(problem)?;
-    let SolveOptions { tolerance, penetration, .. } = *options;
-    at.settings = NewtonSettings { tolerance, penetration, most_iterations: 100, ..NewtonSettings::default() };
-    Ok(at)
+/// How the first step begins.
+struct Start<const D: usize> {
+    pairs: Vec<([usize; 2], PairOptions)>,
+    stiffness: f64,
+    planes: Vec<[[f64; D]; 2]>,
+    adjust: Option<[f64; 2]>,
+    options: SolveOptions,
+}
+
+impl<const D: usize> Start<D> {
+    fn equilibrium(
+        &self,
+        model: Model<D>,
+        (supports, load): (Constraints<D>, Vec<[f64; D]>),
+    ) -> Result<Equilibrium<D>, StaticsError> {
+        let SolveOptions { threads, tolerance, penetration } = self.options;
+        let contact = Options { threads, ..Options::new(EnergyLaw::depth(self.stiffness)) };
+        let (pairs, symmetry_planes, adjust) = (self.pairs.clone(), self.planes.clone(), self.adjust);
+        let problem = Problem { supports, load, pairs, symmetry_planes, adjust, ..Problem::new(model, contact) };
+        let mut at = Equilibrium::new(problem)?;
+        at.settings = NewtonSettings { tolerance, penetration, most_iterations: 100, ..NewtonSettings::default() };
+        Ok(at)
+    }
 }

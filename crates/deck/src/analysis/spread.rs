@@ -1,9 +1,10 @@
 //! Loads on faces and volumes, as forces on nodes.
 
 use super::Bodies;
+use super::facets::corner_count;
 use super::pairs::surface;
 use crate::Fault;
-use crate::read::{Deck, Kind, Load, LoadKind, face_corners};
+use crate::read::{Deck, Kind, Load, LoadKind, SurfaceRow, face_corners};
 use fmc_solid::fem::Face;
 use std::collections::BTreeMap;
 
@@ -25,12 +26,7 @@ pub(super) fn faces<const D: usize>(bodies: Bodies<D>) -> Faces {
 }
 
 fn corners<const D: usize>(nodes: &[u32]) -> Vec<u32> {
-    let count = match (D, nodes.len()) {
-        (2, _) => 2,
-        (_, 3 | 6) => 3,
-        _ => 4,
-    };
-    let mut corners = nodes[..count].to_vec();
+    let mut corners = nodes[..corner_count::<D>(nodes.len())].to_vec();
     corners.sort_unstable();
     corners
 }
@@ -46,7 +42,7 @@ pub(super) fn spread<const D: usize>(
         LoadKind::Gravity(direction) => {
             return Ok(Spread { forces: gravity(deck, bodies, load, direction)?, faces: Vec::new() });
         }
-        LoadKind::Pressure(face) => faces_of(deck, bodies, None, (&load.set, load.line), *face)?,
+        LoadKind::Pressure(face) => faces_of(deck, bodies, None, (&load.set, load.line), ('P', *face))?,
         _ => on_surface(deck, bodies, load)?,
     };
     let mut faces = Vec::with_capacity(keys.len());
@@ -57,25 +53,45 @@ pub(super) fn spread<const D: usize>(
     Ok(Spread { forces: bodies.model.surface_load(&faces, |_, normal| normal.map(|n| -n)), faces: keys })
 }
 
-/// Faces `face` of the cells of a set, by their corners.
+/// Faces `face` of the cells of a set, by their corners; `letter` is what stands before their numbers.
 fn faces_of<const D: usize>(
     deck: &Deck,
     bodies: Bodies<D>,
     instance: Option<usize>,
     (set, line): (&str, usize),
-    face: usize,
+    (letter, face): (char, usize),
 ) -> Result<Vec<Vec<u32>>, Fault> {
     let all: Vec<_> = deck.mesh.cells().collect();
     let of = |cell: usize| {
-        let (cell_type, nodes, label, _) = all[cell];
-        let local = face_corners(cell_type, face)
-            .ok_or_else(|| Fault::new(line, format!("element {label} has no face {}", face + 1)))?;
+        let (cell_type, nodes, ..) = all[cell];
+        let local = face_corners(cell_type).get(face);
+        let local = local.ok_or_else(|| no_face(deck, cell, line, letter, &format!("{letter}{}", face + 1)))?;
         let node = |corner: &usize| bodies.places.node_of[nodes[*corner] as usize].unwrap_or_default() as u32;
         let mut key: Vec<u32> = local.iter().map(node).collect();
         key.sort_unstable();
         Ok(key)
     };
     deck.names.find(Kind::Cell, instance, set, line)?.into_iter().map(of).collect()
+}
+
+/// The number of a face `S1`, `S2`, … of a cell, from 0.
+pub(super) fn face_number(deck: &Deck, cell: usize, row: &SurfaceRow) -> Result<usize, Fault> {
+    let number = row.face.strip_prefix('S').and_then(|face| face.parse::<usize>().ok());
+    let count = deck.mesh.cells().nth(cell).map_or(0, |(cell_type, ..)| face_corners(cell_type).len());
+    match number {
+        Some(number @ 1..) if number <= count => Ok(number - 1),
+        _ => Err(no_face(deck, cell, row.line, 'S', &row.face)),
+    }
+}
+
+fn no_face(deck: &Deck, cell: usize, line: usize, letter: char, face: &str) -> Fault {
+    let count = deck.mesh.cells().nth(cell).map_or(0, |(cell_type, ..)| face_corners(cell_type).len());
+    let label = deck.mesh.cells().nth(cell).map_or(0, |(_, _, label, _)| label);
+    let kind = &deck.elements[cell].kind;
+    Fault::new(
+        line,
+        format!("element {label} of type {kind} has no face {face}; its faces are {letter}1 to {letter}{count}"),
+    )
 }
 
 fn on_surface<const D: usize>(deck: &Deck, bodies: Bodies<D>, load: &Load) -> Result<Vec<Vec<u32>>, Fault> {
@@ -85,12 +101,13 @@ fn on_surface<const D: usize>(deck: &Deck, bodies: Bodies<D>, load: &Load) -> Re
     }
     let mut keys = Vec::new();
     for row in rows {
-        let face = row.face.strip_prefix('S').and_then(|face| face.parse::<usize>().ok()).filter(|face| *face > 0);
-        let Some(face) = face else {
-            let message = format!("a load needs faces S1, S2, …, found '{}'", row.face);
-            return Err(Fault::new(row.line, message));
-        };
-        keys.extend(faces_of(deck, bodies, instance, (&row.set, row.line), face - 1)?);
+        if row.face.is_empty() {
+            return Err(Fault::new(row.line, "a load needs faces S1, S2, …, and this names none"));
+        }
+        let cells = deck.names.find(Kind::Cell, instance, &row.set, row.line)?;
+        let Some(&first) = cells.first() else { continue };
+        let face = face_number(deck, first, row)?;
+        keys.extend(faces_of(deck, bodies, instance, (&row.set, row.line), ('S', face))?);
     }
     Ok(keys)
 }

@@ -21,6 +21,8 @@ pub(super) struct State<const D: usize> {
     faces: Faces,
     /// By node and axis, with the line.
     supports: BTreeMap<(usize, usize), (Timed, usize)>,
+    /// What was held until the step released it: where it starts, if the step holds it again.
+    released: BTreeMap<(usize, usize), (Timed, usize)>,
     forces: BTreeMap<(usize, usize), (Timed, usize)>,
     /// By set and kind.
     spread: BTreeMap<String, SpreadLoad<D>>,
@@ -33,6 +35,7 @@ impl<const D: usize> State<D> {
         let mut state = Self {
             faces: faces(bodies),
             supports: BTreeMap::new(),
+            released: BTreeMap::new(),
             forces: BTreeMap::new(),
             spread: BTreeMap::new(),
             end: When { time: 0.0, period: 0.0, begun: 0.0 },
@@ -55,8 +58,9 @@ impl<const D: usize> State<D> {
             &mut load.value
         });
         point_values.chain(spread_values).for_each(|value| value.go_on(end));
+        self.released.clear();
         if step.is_new[0] {
-            self.supports.clear();
+            std::mem::swap(&mut self.supports, &mut self.released);
         }
         if step.is_new[1] {
             self.forces.values_mut().for_each(|(value, _)| value.fade(end));
@@ -111,6 +115,12 @@ impl<const D: usize> State<D> {
         (supports, forces)
     }
 
+    /// Nodes and axes that do not move in this step.
+    pub(super) fn held(&self) -> BTreeSet<(usize, usize)> {
+        let at_rest = self.supports.iter().filter(|(_, (value, _))| value.is_zero());
+        at_rest.map(|(place, _)| *place).collect()
+    }
+
     /// Time since the first step began.
     pub(super) fn total_time(&self, time: f64) -> f64 {
         self.end.begun + time
@@ -127,7 +137,8 @@ impl<const D: usize> State<D> {
                     }
                     continue;
                 }
-                let start = self.supports.get(&(node, axis)).map_or(0.0, |(value, _)| value.at(self.end));
+                let before = self.supports.get(&(node, axis)).or_else(|| self.released.get(&(node, axis)));
+                let start = before.map_or(0.0, |(value, _)| value.first(self.end));
                 let value = Timed::new(start, row.value, amplitude.clone());
                 self.supports.insert((node, axis), (value, row.line));
             }
@@ -147,7 +158,7 @@ impl<const D: usize> State<D> {
                 if let Some((_, line)) = before.filter(|(_, line)| *line != 0) {
                     return Err(twice(*line));
                 }
-                let start = before.map_or(0.0, |(value, _)| value.at(self.end));
+                let start = before.map_or(0.0, |(value, _)| value.first(self.end));
                 self.forces.insert((node, axis), (Timed::new(start, load.value, amplitude.clone()), load.line));
             }
             return Ok(());
@@ -157,7 +168,7 @@ impl<const D: usize> State<D> {
         if let Some(before) = before.filter(|before| before.line != 0) {
             return Err(twice(before.line));
         }
-        let start = before.map_or(0.0, |before| before.value.at(self.end));
+        let start = before.map_or(0.0, |before| before.value.first(self.end));
         let new = spread(deck, bodies, &self.faces, load)?;
         let faces: BTreeSet<Vec<u32>> = new.faces.into_iter().collect();
         if self.spread.iter().any(|(other, load)| *other != key && !load.faces.is_disjoint(&faces)) {

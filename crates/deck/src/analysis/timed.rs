@@ -41,6 +41,19 @@ impl Timed {
         }
     }
 
+    /// The value with which the step begins after one that ends.
+    pub(super) fn first(&self, end: When) -> f64 {
+        match &self.amplitude {
+            Some(amplitude) if amplitude.is_total => self.at(end),
+            _ => self.start,
+        }
+    }
+
+    /// Whether it is 0 all the time.
+    pub(super) fn is_zero(&self) -> bool {
+        self.start == 0.0 && self.target == 0.0
+    }
+
     /// Fades to nothing.
     pub(super) fn fade(&mut self, end: When) {
         *self = Self::new(self.at(end), 0.0, None);
@@ -65,6 +78,7 @@ mod tests {
         value.go_on(when(2.0));
         assert_eq!(value.at(when(0.5)), 3.0);
         value.fade(when(2.0));
+        assert_eq!(value.first(when(2.0)), 3.0);
         assert_eq!([0.0, 1.0, 2.0].map(|t| value.at(when(t))), [3.0, 1.5, 0.0]);
     }
 }

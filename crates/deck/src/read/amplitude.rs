@@ -22,8 +22,10 @@ impl Amplitude {
         one_of(keyword, "VALUE", &["RELATIVE"])?;
         let mut all = Vec::new();
         while let Some((line, text)) = lines.data() {
-            for value in numbers(line, text)? {
-                all.push(value.ok_or_else(|| Fault::new(line, "a time or a factor is missing"))?);
+            for (place, value) in (1..).zip(numbers(line, text)?) {
+                all.push(
+                    value.ok_or_else(|| Fault::new(line, format!("a time or a factor is missing in field {place}")))?,
+                );
             }
         }
         let (points, rest) = all.as_chunks::<2>();

@@ -1,7 +1,7 @@
 //! The whole of a file.
 
 use super::amplitude::Amplitude;
-use super::elements::solved;
+use super::elements::{ElementRow, solved};
 use super::interaction::{Interaction, PairRow, TieRow};
 use super::material::MaterialRow;
 use super::names::{Kind, Names};
@@ -37,7 +37,16 @@ pub struct Deck {
     /// What holds from the start.
     pub(crate) initial: Step,
     pub(crate) steps: Vec<Step>,
+    /// Of every element: its line, and its type as the file has it.
+    pub(crate) elements: Vec<ElementRow>,
     input: Expanded,
+}
+
+/// Elements under one keyword: where they stand, their type, and their labels with their lines.
+struct Rows {
+    scope: Scope,
+    kind: String,
+    labels: Vec<(u64, usize)>,
 }
 
 /// What a keyword may belong to that stands before it.
@@ -47,8 +56,10 @@ struct Open {
     material: Option<String>,
     interaction: Option<String>,
     is_in_step: bool,
-    variants: Vec<String>,
-    requests: Vec<String>,
+    /// Variants of elements and requests of output, with the lines where they come first.
+    variants: Vec<(String, usize)>,
+    requests: Vec<(String, usize)>,
+    elements: Vec<Rows>,
 }
 
 impl Deck {
@@ -89,7 +100,10 @@ impl Deck {
         match self.mesh.kind() {
             Filled::Flat => Ok(2),
             Filled::Solid => Ok(3),
-            Filled::Surface => Err(Fault::new(1, "elements of plane strain do not lie in a plane z = const")),
+            Filled::Surface => {
+                let line = self.elements.first().map_or(1, |row| row.line);
+                Err(Fault::new(line, "elements of plane strain do not lie in a plane z = const"))
+            }
         }
     }
 
@@ -108,6 +122,7 @@ impl Deck {
             reactions: Vec::new(),
             initial: Step::empty(1),
             steps: Vec::new(),
+            elements: Vec::new(),
             input,
         }
     }
@@ -125,14 +140,13 @@ impl Deck {
         if self.steps.is_empty() {
             return Err(Fault::new(last, "there is no *STEP: nothing is solved"));
         }
-        if !open.variants.is_empty() {
-            let names = open.variants.join(", ");
-            self.notes.push(Note::new(1, format!("{names}: integrated in full, as without their last letters")));
+        for (name, line) in &open.variants {
+            self.notes.push(Note::new(*line, format!("{name}: integrated in full, as without its last letters")));
         }
-        if !open.requests.is_empty() {
-            let names = open.requests.join(", *");
-            self.notes.push(Note::new(1, format!("*{names}: files and tables do not depend on these")));
+        for (name, line) in &open.requests {
+            self.notes.push(Note::new(*line, format!("*{name}: files and tables do not depend on it")));
         }
+        self.elements = self.element_rows(&open.elements);
         Ok(())
     }
 
@@ -161,6 +175,9 @@ impl Deck {
             open.interaction = None;
         }
         if REQUESTS.contains(&name) {
+            if name == "RESTART" && keyword.value("READ").is_some() {
+                return Err(Fault::new(keyword.line, "*RESTART, READ is not known; known is WRITE"));
+            }
             let mut is_reaction = false;
             while let Some((_, text)) = lines.data() {
                 is_reaction |= fields(text).any(|field| field.eq_ignore_ascii_case("RF"));
@@ -171,26 +188,28 @@ impl Deck {
                 }
                 return Ok(());
             }
-            if !open.requests.iter().any(|known| known == name) {
-                open.requests.push(name.to_owned());
+            if !open.requests.iter().any(|(known, _)| known == name) {
+                open.requests.push((name.to_owned(), keyword.line));
             }
             return Ok(());
         }
         match name {
             "HEADING" => while lines.data().is_some() {},
+            "INCLUDE" if keyword.parameters.iter().any(|(name, _)| name != "INPUT") => only(keyword, &["INPUT"])?,
             // Its text stands in its place.
             "INCLUDE" => {}
-            "NODE" => self.take_rows(Kind::Node, 1, keyword, &scope, lines)?,
+            "NODE" => drop(self.take_rows(Kind::Node, 1, keyword, &scope, lines)?),
             "ELEMENT" => {
                 let kind = keyword.required("TYPE")?;
                 let (cell_type, is_variant) = solved(keyword.line, kind)?;
                 if self.mesh.cells().next().is_some_and(|(first, ..)| first.dimension() != cell_type.dimension()) {
                     return Err(Fault::new(keyword.line, "there are elements of the plane beside such of space"));
                 }
-                if is_variant && !open.variants.iter().any(|known| known.eq_ignore_ascii_case(kind)) {
-                    open.variants.push(kind.to_uppercase());
+                if is_variant && !open.variants.iter().any(|(known, _)| known.eq_ignore_ascii_case(kind)) {
+                    open.variants.push((kind.to_uppercase(), keyword.line));
                 }
-                self.take_rows(Kind::Cell, cell_type.node_count() + 1, keyword, &scope, lines)?;
+                let labels = self.take_rows(Kind::Cell, cell_type.node_count() + 1, keyword, &scope, lines)?;
+                open.elements.push(Rows { scope, kind: kind.to_uppercase(), labels });
             }
             "NSET" => self.names.read(Kind::Node, keyword, &scope, lines)?,
             "ELSET" => self.names.read(Kind::Cell, keyword, &scope, lines)?,
@@ -207,12 +226,16 @@ impl Deck {
             "AMPLITUDE" => {
                 let name = keyword.required("NAME")?.to_uppercase();
                 let amplitude = Amplitude::read(keyword, lines)?;
-                self.amplitudes.insert(name, amplitude);
+                if self.amplitudes.insert(name, amplitude).is_some() {
+                    return Err(Fault::new(keyword.line, "this amplitude is there twice"));
+                }
             }
             "SURFACE INTERACTION" => {
                 let interaction = Interaction::begin(keyword, lines)?;
                 open.interaction = Some(interaction.name.clone());
-                self.interactions.insert(interaction.name.clone(), interaction);
+                if self.interactions.insert(interaction.name.clone(), interaction).is_some() {
+                    return Err(Fault::new(keyword.line, "this *SURFACE INTERACTION is there twice"));
+                }
             }
             "CONTACT PAIR" => self.pairs.extend(PairRow::read(keyword, lines, &mut self.notes)?),
             "TIE" => self.ties.extend(TieRow::read(keyword, lines, &mut self.notes)?),
@@ -240,7 +263,7 @@ impl Deck {
                     return Err(Fault::new(step.line, "this step has no *STATIC"));
                 }
             }
-            ("STATIC", Some(step)) => step.read_static(keyword, lines)?,
+            ("STATIC", Some(step)) => step.read_static(keyword, lines, &mut self.notes)?,
             ("BOUNDARY", Some(step)) => step.read_boundary(keyword, lines)?,
             ("BOUNDARY", None) => self.initial.read_boundary(keyword, lines)?,
             ("CLOAD", Some(step)) => step.read_forces(keyword, lines)?,
@@ -253,7 +276,8 @@ impl Deck {
         Ok(())
     }
 
-    /// Passes over rows of nodes or elements, which the mesh has, and puts their labels into the set that the keyword names.
+    /// Passes over rows of nodes or elements, which the mesh has, and puts their labels into the set that the keyword names. Returns
+    /// the labels with their lines.
     fn take_rows(
         &mut self,
         kind: Kind,
@@ -261,7 +285,7 @@ impl Deck {
         keyword: &Keyword,
         scope: &Scope,
         lines: &mut Lines,
-    ) -> Result<(), Fault> {
+    ) -> Result<Vec<(u64, usize)>, Fault> {
         let (parameter, known): (_, &[&str]) = match kind {
             Kind::Node => ("NSET", &["NSET", "SYSTEM", "INPUT"]),
             Kind::Cell => ("ELSET", &["TYPE", "ELSET", "INPUT"]),
@@ -270,7 +294,7 @@ impl Deck {
         let mut labels = Vec::new();
         while let Some((line, text)) = lines.data() {
             let mut count = fields(text).count();
-            labels.push(label(line, fields(text).next().unwrap_or_default())?);
+            labels.push((label(line, fields(text).next().unwrap_or_default())?, line));
             // An element may take several lines.
             while count < size && kind == Kind::Cell {
                 let Some((_, more)) = lines.data() else { break };
@@ -280,6 +304,21 @@ impl Deck {
         if let Some(set) = keyword.value(parameter) {
             self.names.put(kind, scope, set, keyword.line, &labels);
         }
-        Ok(())
+        Ok(labels)
+    }
+
+    /// Line and type of every element.
+    fn element_rows(&self, blocks: &[Rows]) -> Vec<ElementRow> {
+        let mut found = vec![ElementRow { line: 1, kind: String::new() }; self.mesh.cell_count()];
+        for Rows { scope, kind, labels } in blocks {
+            for instance in self.names.instances_of(scope) {
+                for &(label, line) in labels {
+                    if let Some(cell) = self.names.cell(instance, label) {
+                        found[cell] = ElementRow { line, kind: kind.clone() };
+                    }
+                }
+            }
+        }
+        found
     }
 }

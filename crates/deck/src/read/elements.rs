@@ -4,6 +4,13 @@ use crate::Fault;
 use fmc_contact::CellType;
 use fmc_mesh_io::inp::cell_type_of_element;
 
+/// Where an element stands, and its type as the file has it.
+#[derive(Clone, Debug)]
+pub(crate) struct ElementRow {
+    pub(crate) line: usize,
+    pub(crate) kind: String,
+}
+
 /// Types that are solved, up to their variants.
 const SOLVED: [&str; 9] = ["CPE3", "CPE4", "CPE6", "CPE8", "C3D4", "C3D8", "C3D10", "C3D20", "C3D27"];
 
@@ -23,19 +30,18 @@ pub(super) fn solved(line: usize, name: &str) -> Result<(CellType, bool), Fault>
     }
 }
 
-/// Corners of face `face` of a cell, from 0, in the order of `S1`, `S2`, …; none if there is no such face.
-pub(crate) fn face_corners(cell_type: CellType, face: usize) -> Option<&'static [usize]> {
+/// Corners of the faces of a cell, in the order of `S1`, `S2`, …
+pub(crate) fn face_corners(cell_type: CellType) -> &'static [&'static [usize]] {
     const TRIANGLE: [&[usize]; 3] = [&[0, 1], &[1, 2], &[2, 0]];
     const QUADRILATERAL: [&[usize]; 4] = [&[0, 1], &[1, 2], &[2, 3], &[3, 0]];
     const TETRAHEDRON: [&[usize]; 4] = [&[0, 1, 2], &[0, 3, 1], &[1, 3, 2], &[2, 3, 0]];
     const HEXAHEDRON: [&[usize]; 6] =
         [&[0, 1, 2, 3], &[4, 7, 6, 5], &[0, 4, 5, 1], &[1, 5, 6, 2], &[2, 6, 7, 3], &[3, 7, 4, 0]];
-    let faces: &[&[usize]] = match cell_type.straight() {
+    match cell_type.straight() {
         CellType::Tri3 => &TRIANGLE,
         CellType::Quad4 => &QUADRILATERAL,
         CellType::Tet4 => &TETRAHEDRON,
         CellType::Hex8 => &HEXAHEDRON,
         _ => &[],
-    };
-    faces.get(face).copied()
+    }
 }

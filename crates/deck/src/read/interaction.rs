@@ -1,8 +1,7 @@
 //! What happens between surfaces: contact pairs with their friction, and ties.
 
-use super::material::optional_line;
 use super::note::Note;
-use super::words::{numbers, one_of, only, only_line};
+use super::words::{length, one_of, only, only_line, optional_line, present};
 use crate::Fault;
 use fmc_mesh_io::inp::{Keyword, Lines, fields};
 
@@ -12,7 +11,12 @@ pub(crate) struct Interaction {
     pub(crate) name: String,
     /// Pressure by penetration; none: chosen by the solver.
     pub(crate) stiffness: Option<f64>,
-    pub(crate) friction: f64,
+    /// A coefficient, once there is one.
+    pub(crate) friction: Option<f64>,
+    /// Joined for good, as by `*TIE`.
+    pub(crate) is_tied: bool,
+    /// Lines that said how surfaces press, and how they rub.
+    pressed_by: Option<usize>,
 }
 
 /// A contact pair, by the names of its surfaces.
@@ -21,6 +25,8 @@ pub(crate) struct PairRow {
     pub(crate) line: usize,
     pub(crate) surfaces: [String; 2],
     pub(crate) interaction: String,
+    /// Gaps up to this length are closed and overlaps removed, without strain.
+    pub(crate) adjust: Option<f64>,
 }
 
 /// Tied surfaces.
@@ -36,9 +42,9 @@ impl Interaction {
     /// Reads `*SURFACE INTERACTION`.
     pub(super) fn begin(keyword: &Keyword, lines: &mut Lines) -> Result<Self, Fault> {
         only(keyword, &["NAME"])?;
-        let found = optional_line(keyword, lines)?;
+        let (line, found) = optional_line(keyword, lines)?;
         if found.iter().flatten().any(|value| *value != 1.0 && *value != 0.0) {
-            return Err(Fault::new(keyword.line, "an out-of-plane thickness other than 1 is not known"));
+            return Err(Fault::new(line, "an out-of-plane thickness other than 1 is not known"));
         }
         Ok(Self { name: keyword.required("NAME")?.to_uppercase(), ..Self::default() })
     }
@@ -46,52 +52,87 @@ impl Interaction {
     /// Reads a keyword that belongs to it; `false` if it does not.
     pub(super) fn read(&mut self, keyword: &Keyword, lines: &mut Lines, notes: &mut Vec<Note>) -> Result<bool, Fault> {
         match keyword.name.as_str() {
-            "FRICTION" => {
-                only(keyword, &[])?;
-                let found = only_line(keyword, lines, "a coefficient")?;
-                self.friction = found.first().copied().flatten().unwrap_or(0.0);
-                if !(self.friction >= 0.0 && self.friction.is_finite()) {
-                    let message = format!("a coefficient of friction of {} is none", self.friction);
-                    return Err(Fault::new(keyword.line, message));
-                }
-                if found.iter().skip(1).flatten().any(|value| *value != 0.0) {
-                    notes
-                        .push(Note::new(keyword.line, "the stick slope of *FRICTION is that of the contact stiffness"));
-                }
-            }
-            "SURFACE BEHAVIOR" => {
-                only(keyword, &["PRESSURE-OVERCLOSURE"])?;
-                one_of(keyword, "PRESSURE-OVERCLOSURE", &["HARD", "LINEAR"])?;
-                let kind = keyword.value("PRESSURE-OVERCLOSURE").unwrap_or("HARD");
-                let found = optional_line(keyword, lines)?;
-                if kind.eq_ignore_ascii_case("LINEAR") {
-                    let slope = found.first().copied().flatten().unwrap_or(0.0);
-                    if !(slope > 0.0 && slope.is_finite()) {
-                        return Err(Fault::new(keyword.line, "a linear overclosure needs a slope above 0"));
-                    }
-                    if found.len() > 1 {
-                        notes.push(Note::new(keyword.line, "of *SURFACE BEHAVIOR only the slope is used"));
-                    }
-                    self.stiffness = Some(slope);
-                }
-            }
+            "FRICTION" => self.read_friction(keyword, lines, notes)?,
+            "SURFACE BEHAVIOR" => self.read_behavior(keyword, lines, notes)?,
             _ => return Ok(false),
         }
         Ok(true)
+    }
+
+    fn read_friction(&mut self, keyword: &Keyword, lines: &mut Lines, notes: &mut Vec<Note>) -> Result<(), Fault> {
+        only(keyword, &["SLIP TOLERANCE"])?;
+        let (line, found) = only_line(keyword, lines, "a coefficient")?;
+        let coefficient = present(line, &found, 1, "the coefficient")?;
+        if coefficient < 0.0 {
+            return Err(Fault::new(line, format!("a coefficient of friction of {coefficient} is below 0")));
+        }
+        if self.friction.replace(coefficient).is_some() {
+            return Err(Fault::new(keyword.line, format!("*SURFACE INTERACTION {} has two *FRICTION", self.name)));
+        }
+        // Abaqus has rates, pressures and temperatures in these fields, CalculiX the stick slope in the second.
+        if found.iter().skip(2).flatten().any(|value| *value != 0.0) {
+            return Err(Fault::new(line, "the coefficient of *FRICTION may not depend on anything"));
+        }
+        if found.get(1).copied().flatten().is_some_and(|slope| slope != 0.0) {
+            notes.push(Note::new(line, "the stick slope of *FRICTION is that of the contact stiffness"));
+        }
+        if keyword.value("SLIP TOLERANCE").is_some() {
+            notes.push(Note::new(keyword.line, "*FRICTION sticks without a SLIP TOLERANCE"));
+        }
+        Ok(())
+    }
+
+    fn read_behavior(&mut self, keyword: &Keyword, lines: &mut Lines, notes: &mut Vec<Note>) -> Result<(), Fault> {
+        only(keyword, &["PRESSURE-OVERCLOSURE"])?;
+        one_of(keyword, "PRESSURE-OVERCLOSURE", &["HARD", "LINEAR", "TIED"])?;
+        if self.pressed_by.replace(keyword.line).is_some() {
+            let message = format!("*SURFACE INTERACTION {} has two *SURFACE BEHAVIOR", self.name);
+            return Err(Fault::new(keyword.line, message));
+        }
+        let kind = keyword.value("PRESSURE-OVERCLOSURE").unwrap_or("HARD").to_uppercase();
+        let (line, found) = optional_line(keyword, lines)?;
+        let is_used = |count: usize| found.iter().skip(count).flatten().all(|value| *value == 0.0);
+        match kind.as_str() {
+            "LINEAR" => {
+                let slope = present(line, &found, 1, "the slope of a linear overclosure")?;
+                if slope <= 0.0 {
+                    return Err(Fault::new(line, "a linear overclosure needs a slope above 0"));
+                }
+                if !is_used(1) {
+                    notes.push(Note::new(line, "of *SURFACE BEHAVIOR only the slope is used"));
+                }
+                self.stiffness = Some(slope);
+            }
+            "TIED" => {
+                notes.push(Note::new(keyword.line, "TIED joins surfaces without a stiffness, as *TIE does"));
+                self.is_tied = true;
+            }
+            _ if !is_used(0) => notes.push(Note::new(line, "*SURFACE BEHAVIOR uses no number with HARD")),
+            _ => {}
+        }
+        Ok(())
     }
 }
 
 impl PairRow {
     /// Reads `*CONTACT PAIR`.
     pub(super) fn read(keyword: &Keyword, lines: &mut Lines, notes: &mut Vec<Note>) -> Result<Vec<Self>, Fault> {
-        only(keyword, &["INTERACTION", "TYPE", "SMALL SLIDING"])?;
+        only(keyword, &["INTERACTION", "TYPE", "SMALL SLIDING", "ADJUST"])?;
         one_of(keyword, "TYPE", &["NODE TO SURFACE", "SURFACE TO SURFACE"])?;
+        let adjust = match keyword.value("ADJUST") {
+            Some(text) if text.starts_with(|c: char| c.is_ascii_alphabetic() || c == '_') => {
+                let message = format!("*CONTACT PAIR, ADJUST={text} is not known: only a length, not a set of nodes");
+                return Err(Fault::new(keyword.line, message));
+            }
+            _ => length(keyword, "ADJUST")?,
+        };
         if keyword.value("SMALL SLIDING").is_some() {
             notes.push(Note::new(keyword.line, "sliding is finite also with SMALL SLIDING"));
         }
         let interaction = keyword.required("INTERACTION")?.to_uppercase();
         let rows = rows(keyword, lines)?;
-        Ok(rows.into_iter().map(|(line, surfaces)| Self { line, surfaces, interaction: interaction.clone() }).collect())
+        let row = |(line, surfaces)| Self { line, surfaces, interaction: interaction.clone(), adjust };
+        Ok(rows.into_iter().map(row).collect())
     }
 }
 
@@ -101,13 +142,11 @@ impl TieRow {
         only(keyword, &["NAME", "POSITION TOLERANCE", "ADJUST", "TYPE"])?;
         one_of(keyword, "ADJUST", &["YES", "NO"])?;
         one_of(keyword, "TYPE", &["SURFACE TO SURFACE", "NODE TO SURFACE"])?;
-        let reach = match keyword.value("POSITION TOLERANCE") {
-            Some(text) => numbers(keyword.line, text)?.first().copied().flatten().unwrap_or(0.0),
-            None => 0.0,
-        };
-        if !(reach >= 0.0 && reach.is_finite()) {
-            return Err(Fault::new(keyword.line, "POSITION TOLERANCE is not a length"));
+        let reach = length(keyword, "POSITION TOLERANCE")?;
+        if reach == Some(0.0) {
+            notes.push(Note::new(keyword.line, "POSITION TOLERANCE=0 is taken as none: the table names the reach"));
         }
+        let reach = reach.unwrap_or(0.0);
         // Abaqus moves nodes unless it is told not to.
         if keyword.value("ADJUST").is_some_and(|adjust| adjust.eq_ignore_ascii_case("YES")) {
             notes.push(Note::new(keyword.line, "*TIE keeps gaps as they are also with ADJUST=YES"));

@@ -1,6 +1,6 @@
 //! `*MATERIAL` and what belongs to it.
 
-use super::words::{at_most, no_more, numbers, one_of, only, only_line};
+use super::words::{at_most, one_of, only, only_line, present};
 use crate::Fault;
 use fmc_mesh_io::inp::{Keyword, Lines};
 use fmc_solid::fem::{Law, Material};
@@ -28,34 +28,41 @@ impl MaterialRow {
             "ELASTIC" => {
                 only(keyword, &["TYPE"])?;
                 one_of(keyword, "TYPE", &["ISO", "ISOTROPIC"])?;
-                let found = only_line(keyword, lines, "Young's modulus and Poisson's ratio")?;
+                let (line, found) = only_line(keyword, lines, "Young's modulus and Poisson's ratio")?;
                 at_most(keyword, &found, 2, "its constants may not depend on the temperature")?;
-                let [young, poisson] = two(&found);
-                self.set(keyword.line, Law::LinearElastic, young, poisson)?;
+                let young = present(line, &found, 1, "Young's modulus")?;
+                let poisson = present(line, &found, 2, "Poisson's ratio")?;
+                self.set(line, Law::LinearElastic, young, poisson)?;
             }
             "HYPERELASTIC" => {
                 only(keyword, &["NEO HOOKE"])?;
                 if keyword.value("NEO HOOKE").is_none() {
                     return Err(Fault::new(keyword.line, "*HYPERELASTIC is known with NEO HOOKE only"));
                 }
-                let found = only_line(keyword, lines, "C10 and D1")?;
+                let (line, found) = only_line(keyword, lines, "C10 and D1")?;
                 at_most(keyword, &found, 2, "its constants may not depend on the temperature")?;
-                let [c10, d1] = two(&found);
+                let (c10, d1) = (present(line, &found, 1, "C10")?, present(line, &found, 2, "D1")?);
                 if !(d1 > 0.0 && c10 > 0.0) {
                     let message = "*HYPERELASTIC needs C10 and D1 above 0: incompressible bodies are not solved";
-                    return Err(Fault::new(keyword.line, message));
+                    return Err(Fault::new(line, message));
                 }
                 // W = C10 (I₁ − 3) + (J − 1)²/D1: G = 2 C10 and K = 2/D1.
                 let (shear, bulk) = (2.0 * c10, 2.0 / d1);
                 let young = 9.0 * bulk * shear / (3.0 * bulk + shear);
                 let poisson = (3.0 * bulk - 2.0 * shear) / (2.0 * (3.0 * bulk + shear));
-                self.set(keyword.line, Law::NeoHookean, young, poisson)?;
+                self.set(line, Law::NeoHookean, young, poisson)?;
             }
             "DENSITY" => {
                 only(keyword, &[])?;
-                let found = only_line(keyword, lines, "a density")?;
+                let (line, found) = only_line(keyword, lines, "a density")?;
                 at_most(keyword, &found, 1, "it may not depend on the temperature")?;
-                self.density = Some(two(&found)[0]);
+                let density = present(line, &found, 1, "the density")?;
+                if density <= 0.0 {
+                    return Err(Fault::new(line, format!("a density of {density} is not above 0")));
+                }
+                if self.density.replace(density).is_some() {
+                    return Err(Fault::new(keyword.line, format!("material {} has a density already", self.name)));
+                }
             }
             "DEPVAR" | "USER MATERIAL" => return Err(Fault::new(keyword.line, "user materials are not known")),
             _ => return Ok(false),
@@ -90,16 +97,4 @@ impl MaterialRow {
     pub(crate) fn is_linear(&self) -> bool {
         self.law.is_some_and(|(law, ..)| law == Law::LinearElastic)
     }
-}
-
-fn two(found: &[Option<f64>]) -> [f64; 2] {
-    [0, 1].map(|k| found.get(k).copied().flatten().unwrap_or(0.0))
-}
-
-/// The numbers of the only data line that a keyword may have.
-pub(super) fn optional_line(keyword: &Keyword, lines: &mut Lines) -> Result<Vec<Option<f64>>, Fault> {
-    let Some((line, text)) = lines.data() else { return Ok(Vec::new()) };
-    let found = numbers(line, text)?;
-    no_more(keyword, lines)?;
-    Ok(found)
 }

@@ -122,9 +122,14 @@ impl Names {
         Ok(())
     }
 
-    /// Adds labels to a set.
-    pub(super) fn put(&mut self, kind: Kind, scope: &Scope, name: &str, line: usize, labels: &[u64]) {
-        let member = |&label: &u64| Member { line, instance: None, what: What::Labels(label, label, 1) };
+    /// The element with a label.
+    pub(super) fn cell(&self, instance: Option<usize>, label: u64) -> Option<usize> {
+        self.labels.get(&(Kind::Cell, instance, label)).copied()
+    }
+
+    /// Adds labels, each with its line, to a set.
+    pub(super) fn put(&mut self, kind: Kind, scope: &Scope, name: &str, line: usize, labels: &[(u64, usize)]) {
+        let member = |&(label, _): &(u64, usize)| Member { line, instance: None, what: What::Labels(label, label, 1) };
         self.extend(kind, scope, name, labels.iter().map(member).collect());
     }
 

@@ -1,7 +1,7 @@
 //! Requests of output: what is written does not depend on them.
 
 /// Keywords that ask for results.
-pub(super) const REQUESTS: [&str; 18] = [
+pub(super) const REQUESTS: [&str; 19] = [
     "NODE PRINT",
     "NODE FILE",
     "EL PRINT",
@@ -20,4 +20,5 @@ pub(super) const REQUESTS: [&str; 18] = [
     "PRINT",
     "FILE FORMAT",
     "SECTION PRINT",
+    "RESTART",
 ];

@@ -1,5 +1,6 @@
 //! Which keyword stands where.
 
+use super::words::only;
 use crate::Fault;
 use fmc_mesh_io::inp::Keyword;
 
@@ -17,6 +18,11 @@ pub(crate) enum Scope {
 impl Scope {
     /// The scope after a keyword; `None` if it does not change scopes. The mesh reader has checked their order.
     pub(super) fn after(&self, keyword: &Keyword) -> Result<Option<Self>, Fault> {
+        match keyword.name.as_str() {
+            "PART" | "ASSEMBLY" => only(keyword, &["NAME"])?,
+            "INSTANCE" => only(keyword, &["NAME", "PART"])?,
+            _ => {}
+        }
         Ok(match keyword.name.as_str() {
             "PART" => Some(Self::Part(keyword.required("NAME")?.to_uppercase())),
             "INSTANCE" => Some(Self::Instance(keyword.required("NAME")?.to_uppercase())),

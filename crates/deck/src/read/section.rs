@@ -1,8 +1,7 @@
 //! `*SOLID SECTION`: which elements are of which material.
 
-use super::material::optional_line;
 use super::scope::Scope;
-use super::words::only;
+use super::words::{only, optional_line};
 use crate::Fault;
 use fmc_mesh_io::inp::{Keyword, Lines};
 
@@ -19,10 +18,10 @@ impl SectionRow {
     /// Reads it.
     pub(super) fn read(keyword: &Keyword, scope: &Scope, lines: &mut Lines) -> Result<Self, Fault> {
         only(keyword, &["ELSET", "MATERIAL"])?;
-        let found = optional_line(keyword, lines)?;
+        let (line, found) = optional_line(keyword, lines)?;
         if let Some(thickness) = found.iter().flatten().find(|value| **value != 1.0 && **value != 0.0) {
             let message = format!("a thickness of {thickness} is not known: 2D is per unit thickness");
-            return Err(Fault::new(keyword.line, message));
+            return Err(Fault::new(line, message));
         }
         Ok(Self {
             line: keyword.line,

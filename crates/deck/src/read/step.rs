@@ -1,9 +1,9 @@
 //! `*STEP`: what is held, what is loaded, and how long it takes.
 
-use super::material::optional_line;
-use super::words::{numbers, one_of, only};
+use super::note::Note;
+use super::words::{one_of, only, optional_line, required};
 use crate::Fault;
-use fmc_mesh_io::inp::{Keyword, Lines, fields, number};
+use fmc_mesh_io::inp::{Keyword, Lines, fields};
 
 /// Displacements of nodes along some axes.
 #[derive(Clone, Debug)]
@@ -49,6 +49,8 @@ pub(crate) struct Step {
     /// Load steps to begin with, and time.
     pub(crate) count: usize,
     pub(crate) period: f64,
+    /// Load steps that `INC` allows, if it is there.
+    pub(crate) most: Option<usize>,
     pub(crate) boundaries: Vec<Boundary>,
     pub(crate) loads: Vec<Load>,
     /// `OP=NEW` of supports, forces and distributed loads.
@@ -67,6 +69,7 @@ impl Step {
             is_static: false,
             count: 1,
             period: 1.0,
+            most: None,
             boundaries: Vec::new(),
             loads: Vec::new(),
             is_new: [false; 3],
@@ -78,29 +81,71 @@ impl Step {
         only(keyword, &["NAME", "NLGEOM", "INC", "AMPLITUDE", "EXTRAPOLATION", "UNSYMM"])?;
         one_of(keyword, "NLGEOM", &["", "YES", "NO"])?;
         one_of(keyword, "AMPLITUDE", &["RAMP"])?;
+        let most = match keyword.value("INC") {
+            Some(text) => match text.parse::<usize>() {
+                Ok(count) if count > 0 => Some(count),
+                _ => return Err(Fault::new(keyword.line, format!("*STEP, INC={text} is not a number of increments"))),
+            },
+            None => None,
+        };
         // Its data lines are a heading.
         while lines.data().is_some() {}
         let is_finite = keyword.value("NLGEOM").is_some_and(|value| !value.eq_ignore_ascii_case("NO"));
-        Ok(Self { is_finite, ..Self::empty(keyword.line) })
+        Ok(Self { is_finite, most, ..Self::empty(keyword.line) })
     }
 
     /// Reads `*STATIC`: first increment, period, least and most increment.
-    pub(super) fn read_static(&mut self, keyword: &Keyword, lines: &mut Lines) -> Result<(), Fault> {
+    pub(super) fn read_static(
+        &mut self,
+        keyword: &Keyword,
+        lines: &mut Lines,
+        notes: &mut Vec<Note>,
+    ) -> Result<(), Fault> {
         only(keyword, &["DIRECT", "SOLVER"])?;
-        let found = optional_line(keyword, lines)?;
-        let [first, period, _, most] = [0, 1, 2, 3].map(|k| found.get(k).copied().flatten().unwrap_or(0.0));
-        if [first, period, most].iter().any(|time| !(*time >= 0.0 && time.is_finite())) {
-            return Err(Fault::new(keyword.line, "times of *STATIC are not below 0"));
+        one_of(keyword, "DIRECT", &[""])?;
+        if self.is_static {
+            return Err(Fault::new(keyword.line, "this step has a *STATIC already"));
         }
+        let (line, found) = optional_line(keyword, lines)?;
+        if found.iter().skip(4).flatten().next().is_some() {
+            return Err(Fault::new(
+                line,
+                "*STATIC has four numbers: first increment, period, least and most increment",
+            ));
+        }
+        let time = |place: usize| found.get(place - 1).copied().flatten().unwrap_or(0.0);
+        if let Some(place) = (1..=4).find(|place| time(*place) < 0.0) {
+            return Err(Fault::new(
+                line,
+                format!("times of *STATIC are not below 0, as {} in field {place}", time(place)),
+            ));
+        }
+        let [first, period, least, most] = [1, 2, 3, 4].map(time);
         self.period = if period > 0.0 { period } else { 1.0 };
         let longest = [most, first, self.period].into_iter().find(|time| *time > 0.0).unwrap_or(1.0);
         let is_direct = keyword.value("DIRECT").is_some();
         let longest = if is_direct && first > 0.0 { first } else { longest };
         let count = (self.period / longest - 1e-9).ceil().max(1.0);
         if count > MOST_COUNT {
-            return Err(Fault::new(keyword.line, format!("{count} load steps are more than {MOST_COUNT}")));
+            return Err(Fault::new(line, format!("{count} load steps are more than {MOST_COUNT}")));
         }
         (self.count, self.is_static) = (count as usize, true);
+        if let Some(most) = self.most.filter(|most| *most < self.count) {
+            let planned = self.count;
+            if is_direct {
+                let message =
+                    format!("the step takes {planned} increments, more than INC={most} of line {}", self.line);
+                return Err(Fault::new(line, message));
+            }
+            notes.push(Note::new(
+                self.line,
+                format!("INC={most}: the step begins with as many load steps, not {planned}"),
+            ));
+            self.count = most;
+        }
+        if least > longest {
+            return Err(Fault::new(line, "the least increment of *STATIC is above the largest"));
+        }
         Ok(())
     }
 
@@ -123,6 +168,9 @@ impl Step {
                 _ => &[],
             };
             if !all.is_empty() {
+                if entries.len() > 2 {
+                    return Err(Fault::new(line, format!("{named} has no further fields")));
+                }
                 self.boundaries.extend(all.iter().map(|&axis| row([axis, axis], 0.0)));
                 continue;
             }
@@ -137,7 +185,8 @@ impl Step {
                 return Err(Fault::new(line, "*BOUNDARY needs a degree of freedom"));
             };
             let last = axis(entries.get(2))?.unwrap_or(first);
-            let value = number(line, entries.get(3).copied().unwrap_or_default())?;
+            // Without a fourth field they are held where they are.
+            let value = if entries.len() < 4 { 0.0 } else { required(line, &entries, 4, "the displacement")? };
             if last < first || entries.len() > 4 {
                 return Err(Fault::new(line, "expected a set, first and last degree of freedom, and a value"));
             }
@@ -152,13 +201,14 @@ impl Step {
         self.take_op(keyword, 1)?;
         while let Some((line, text)) = lines.data() {
             let entries: Vec<&str> = fields(text).collect();
-            let [set, axis, value] = entries[..] else {
+            let [set, axis, _] = entries[..] else {
                 return Err(Fault::new(line, "expected a set, a degree of freedom and a force"));
             };
             let Ok(axis @ 1..=3) = axis.parse::<usize>() else {
                 return Err(Fault::new(line, format!("degree of freedom {axis} is not known, only 1, 2 and 3")));
             };
-            self.push_load(keyword, line, set, LoadKind::Force(axis - 1), number(line, value)?);
+            let value = required(line, &entries, 3, "the force")?;
+            self.push_load(keyword, line, set, LoadKind::Force(axis - 1), value);
         }
         Ok(())
     }
@@ -171,21 +221,25 @@ impl Step {
         while let Some((line, text)) = lines.data() {
             let entries: Vec<&str> = fields(text).collect();
             let (set, kind) = (entries[0], entries.get(1).map(|kind| kind.to_uppercase()).unwrap_or_default());
-            let value = number(line, entries.get(2).copied().unwrap_or_default())?;
             let face = kind.strip_prefix('P').and_then(|face| face.parse::<usize>().ok()).filter(|face| *face > 0);
             let kind = match (kind.as_str(), face) {
                 ("P", _) if is_on_surface => LoadKind::OnSurface,
                 (_, Some(face)) if !is_on_surface => LoadKind::Pressure(face - 1),
                 ("GRAV", _) if !is_on_surface => {
-                    let rest = numbers(line, &entries[3.min(entries.len())..].join(","))?;
-                    LoadKind::Gravity(std::array::from_fn(|axis| rest.get(axis).copied().flatten().unwrap_or(0.0)))
+                    let mut direction = [0.0; 3];
+                    for (axis, x) in direction.iter_mut().enumerate() {
+                        let is_there = entries.len() > axis + 3;
+                        *x = if is_there { required(line, &entries, axis + 4, "the direction")? } else { 0.0 };
+                    }
+                    LoadKind::Gravity(direction)
                 }
                 _ => {
                     let known = if is_on_surface { "P" } else { "P1, P2, … and GRAV" };
                     return Err(Fault::new(line, format!("a load '{kind}' is not known, only {known}")));
                 }
             };
-            if entries.len() > 3 && !matches!(kind, LoadKind::Gravity(_)) {
+            let value = required(line, &entries, 3, "the size of the load")?;
+            if entries.len() > if matches!(kind, LoadKind::Gravity(_)) { 6 } else { 3 } {
                 return Err(Fault::new(line, "expected a set or surface, the kind of load and its value"));
             }
             self.push_load(keyword, line, set, kind, value);

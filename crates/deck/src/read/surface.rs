@@ -37,6 +37,9 @@ impl Surfaces {
             let mut entries = fields(text);
             let set = entries.next().unwrap_or_default().trim_matches('"').to_owned();
             let face = entries.next().unwrap_or_default().to_uppercase();
+            if entries.next().is_some_and(|more| !more.is_empty()) {
+                return Err(Fault::new(line, "expected a set or label and a face"));
+            }
             // The second field of a surface of nodes is an area.
             rows.push(SurfaceRow { line, set, face: if is_of_nodes { String::new() } else { face } });
         }

@@ -33,18 +33,58 @@ pub(super) fn one_of(keyword: &Keyword, name: &str, values: &[&str]) -> Result<(
 
 /// The numbers of a data line; a field that is empty is none.
 pub(super) fn numbers(line: usize, text: &str) -> Result<Vec<Option<f64>>, Fault> {
-    let of = |field: &str| if field.is_empty() { Ok(None) } else { number(line, field).map(Some) };
-    Ok(fields(text).map(of).collect::<anyhow::Result<_>>()?)
+    let of = |(place, field)| finite(line, place, field);
+    (1..).zip(fields(text)).map(of).collect()
 }
 
-/// The only data line of a keyword, as numbers.
-pub(super) fn only_line(keyword: &Keyword, lines: &mut Lines, what: &str) -> Result<Vec<Option<f64>>, Fault> {
+/// The number in field `place` of a data line, from 1; none if it is empty.
+fn finite(line: usize, place: usize, field: &str) -> Result<Option<f64>, Fault> {
+    if field.is_empty() {
+        return Ok(None);
+    }
+    number(line, field).map(Some).map_err(|error| {
+        let Fault { line, message } = error.into();
+        Fault::new(line, format!("{message} in field {place}"))
+    })
+}
+
+/// The number in field `place` of a data line, from 1; `what` says what is there.
+pub(super) fn required(line: usize, entries: &[&str], place: usize, what: &str) -> Result<f64, Fault> {
+    let field = entries.get(place - 1).copied().unwrap_or_default();
+    finite(line, place, field)?.ok_or_else(|| Fault::new(line, format!("{what} is missing in field {place}")))
+}
+
+/// The number in field `place` of numbers that were read, from 1; `what` says what is there.
+pub(super) fn present(line: usize, found: &[Option<f64>], place: usize, what: &str) -> Result<f64, Fault> {
+    let value = found.get(place - 1).copied().flatten();
+    value.ok_or_else(|| Fault::new(line, format!("{what} is missing in field {place}")))
+}
+
+/// A parameter of this keyword is a number above or equal to 0, if it is there.
+pub(super) fn length(keyword: &Keyword, name: &str) -> Result<Option<f64>, Fault> {
+    let Some(text) = keyword.value(name) else { return Ok(None) };
+    match number(keyword.line, text) {
+        Ok(value) if value >= 0.0 && !text.is_empty() => Ok(Some(value)),
+        _ => Err(Fault::new(keyword.line, format!("*{}, {name}={text} is not a length", keyword.name))),
+    }
+}
+
+/// The only data line of a keyword, with its line.
+pub(super) fn only_line(keyword: &Keyword, lines: &mut Lines, what: &str) -> Result<(usize, Vec<Option<f64>>), Fault> {
     let Some((line, text)) = lines.data() else {
         return Err(Fault::new(keyword.line, format!("*{} has no data line with {what}", keyword.name)));
     };
     let found = numbers(line, text)?;
     no_more(keyword, lines)?;
-    Ok(found)
+    Ok((line, found))
+}
+
+/// The only data line that a keyword may have, with its line; without one no numbers.
+pub(super) fn optional_line(keyword: &Keyword, lines: &mut Lines) -> Result<(usize, Vec<Option<f64>>), Fault> {
+    let Some((line, text)) = lines.data() else { return Ok((keyword.line, Vec::new())) };
+    let found = numbers(line, text)?;
+    no_more(keyword, lines)?;
+    Ok((line, found))
 }
 
 /// There is no further data line.

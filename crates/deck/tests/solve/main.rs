@@ -1,11 +1,13 @@
 //! Input files from their keywords to their results.
 
+mod adjust;
 mod blocks;
 mod frd;
 mod friction;
 mod hertz;
 mod page;
 mod refusals;
+mod reports;
 mod rubber;
 mod scene;
 mod steps;

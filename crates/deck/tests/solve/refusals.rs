@@ -41,21 +41,79 @@ fn what_is_not_known_is_named_by_its_line() {
         ("BOTTOM, 2, 2", "BUTTON, 2, 2", "there is no node set 'BUTTON'"),
         ("BOTTOM, 2, 2", "4711, 2, 2", "there is no node 4711"),
         ("BOTTOM, 2, 2", "BOTTOM, 4, 4", "degree of freedom 4 is not known"),
-        ("UTOP, P3, 10.", "UTOP, P5, 10.", "element 104 has no face 5"),
+        ("UTOP, P3, 10.", "UTOP, P5, 10.", "element 104 of type CPE4 has no face P5; its faces are P1 to P4"),
         ("UTOP, P3, 10.", "UTOP, P1, 10.", "inside of a body"),
         ("UTOP, P3, 10.", "UTOP, P3NU, 10.", "a load 'P3NU' is not known"),
         ("*DLOAD", "*DLOAD, AMPLITUDE=UP", "there is no amplitude 'UP'"),
         ("*BOUNDARY", "*EQUATION", "*EQUATION is not known"),
         ("TYPE=CPE4", "TYPE=CPS4", "plane stress is not known"),
         ("SUPPER, SLOWER", "SUPPER, SUPPER2\n*SURFACE, NAME=SUPPER2\nUTOP", "are surfaces of one body"),
+        // Faces that an element does not have.
+        ("LTOP, S3", "LTOP, S7", "of type CPE4 has no face S7; its faces are S1 to S4"),
+        ("LTOP, S3", "LTOP, S0", "has no face S0"),
+        ("LTOP, S3", "LTOP, SPOS", "has no face SPOS"),
+        ("LTOP, S3", "LTOP, P3", "has no face P3"),
+        ("LTOP, S3", "LTOP, S3, 1", "expected a set or label and a face"),
+        // Numbers that are none.
+        ("UTOP, P3, 10.", "UTOP, P3, nan", "expected a finite number, found 'nan' in field 3"),
+        ("UTOP, P3, 10.", "UTOP, P3, 1e999", "expected a finite number, found '1e999' in field 3"),
+        ("UTOP, P3, 10.", "UTOP, P3, ten", "expected a number, found 'ten' in field 3"),
+        ("UTOP, P3, 10.", "UTOP, P3", "the size of the load is missing in field 3"),
+        ("UTOP, P3, 10.", "UTOP, P3, , ", "the size of the load is missing in field 3"),
+        ("UTOP, P3, 10.", "UTOP, GRAV, 10., 0., inf", "found 'inf' in field 5"),
+        ("UTOP, P3, 10.", "UTOP, GRAV, 10., , 1.", "the direction is missing in field 4"),
+        ("*DLOAD\nUTOP, P3, 10.", "*CLOAD\nBOTTOM, 2, NaN", "expected a finite number, found 'NaN' in field 3"),
+        ("*DLOAD\nUTOP, P3, 10.", "*CLOAD\nBOTTOM, 2,", "expected a set, a degree of freedom and a force"),
+        ("BOTTOM, 2, 2", "BOTTOM, 2, 2, infinity", "expected a finite number, found 'infinity' in field 4"),
+        ("BOTTOM, 2, 2", "BOTTOM, 2, 2, ,", "the displacement is missing in field 4"),
+        ("BOTTOM, 2, 2", "BOTTOM, PINNED, 2", "PINNED has no further fields"),
+        ("1000., 0.3", "1000.", "Poisson's ratio is missing in field 2"),
+        ("1000., 0.3", ", 0.3", "Young's modulus is missing in field 1"),
+        ("1000., 0.3", "nan, 0.3", "expected a finite number, found 'nan' in field 1"),
+        ("*ELASTIC", "*DENSITY\n-1.\n*ELASTIC", "a density of -1 is not above 0"),
+        ("*ELASTIC", "*DENSITY\n1.\n*DENSITY\n1.\n*ELASTIC", "has a density already"),
+        ("*STEP", "*AMPLITUDE, NAME=A\n0., 0., 1., nan\n*STEP", "expected a finite number, found 'nan' in field 4"),
+        ("*STEP", "*AMPLITUDE, NAME=A\n0., 0., , 1.\n*STEP", "is missing in field 3"),
+        ("*STEP", "*AMPLITUDE, NAME=A\n0., 0.\n*AMPLITUDE, NAME=a\n0., 1.\n*STEP", "this amplitude is there twice"),
+        ("*SURFACE INTERACTION", "*SURFACE INTERACTION, NAME=PRESS\n*SURFACE INTERACTION", "is there twice"),
+        ("NAME=PRESS", "NAME=PRESS\n*FRICTION\n,1.", "the coefficient is missing in field 1"),
+        ("NAME=PRESS", "NAME=PRESS\n*FRICTION\n0.1\n*FRICTION\n0.2", "has two *FRICTION"),
+        ("NAME=PRESS", "NAME=PRESS\n*FRICTION, TAUMAX=1.\n0.1", "*FRICTION, TAUMAX is not known"),
+        ("NAME=PRESS", "NAME=PRESS\n*FRICTION\n0.1, 0., 5.", "may not depend on anything"),
+        (
+            "NAME=PRESS",
+            "NAME=PRESS\n*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=EXPONENTIAL\n1., 1.",
+            "known are HARD, LINEAR, TIED",
+        ),
+        (
+            "NAME=PRESS",
+            "NAME=PRESS\n*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR",
+            "the slope of a linear overclosure is missing",
+        ),
+        ("*CONTACT PAIR,", "*CONTACT PAIR, ADJUST=NEAR,", "only a length, not a set of nodes"),
+        ("*CONTACT PAIR,", "*CONTACT PAIR, ADJUST=-1.,", "ADJUST=-1. is not a length"),
+        // What would change the answer, or the number of increments.
+        ("*STEP", "*STEP, INC=0", "INC=0 is not a number of increments"),
+        ("*STEP", "*STEP, PERTURBATION", "*STEP, PERTURBATION is not known"),
+        ("*STEP\n*STATIC", "*STEP, INC=5\n*STATIC, DIRECT\n0.1, 1.", "takes 10 increments, more than INC=5"),
+        ("*STATIC", "*STATIC, DIRECT=NO STOP", "DIRECT=NO STOP is not known"),
+        ("*STATIC", "*STATIC\n1., -1.", "times of *STATIC are not below 0"),
+        ("*STATIC", "*STATIC\n1., 1., 0., 0., 1.", "*STATIC has four numbers"),
+        ("*STATIC", "*STATIC\n*STATIC", "a *STATIC already"),
+        (
+            "*SOLID SECTION",
+            "*SOLID SECTION, ELSET=UPPER, MATERIAL=M2\n*MATERIAL, NAME=M2\n*ELASTIC\n1., 0.\n*SOLID SECTION",
+            "has another material by the section of line",
+        ),
+        ("*STEP", "*RESTART, READ\n*STEP", "*RESTART, READ is not known"),
     ];
     for (number, (from, to, expected)) in rows.into_iter().enumerate() {
         assert!(good.contains(from), "{from}");
         let changed = good.replacen(from, to, 1);
         let name = format!("model{number}.inp");
         let message = said(&changed, &name);
-        let first = changed.find(to).unwrap();
-        let line = changed[..first].lines().count() + usize::from(changed[..first].ends_with('\n') || first == 0);
+        let first = good.find(from).unwrap();
+        let line = good[..first].lines().count() + usize::from(good[..first].ends_with('\n') || first == 0);
         let lines: Vec<String> = (line - 1..line + 6).map(|line| format!("{name}:{line}: ")).collect();
         assert!(lines.iter().any(|line| message.starts_with(line)), "{to}: {message}, expected {lines:?}");
         assert!(message.contains(expected), "{to}: {message}");
@@ -69,8 +127,50 @@ fn what_is_missing_is_told() {
     assert!(without("*STEP").contains("there is no *STEP"), "{}", without("*STEP"));
     assert!(without("*NODE FILE").contains("ends within a *STEP"));
     let message = said(&good.replace("*SOLID SECTION, ELSET=UPPER, MATERIAL=SOFT\n", ""), "section.inp");
-    assert!(message.contains("element 101 has no *SOLID SECTION"), "{message}");
+    let line = good.lines().position(|line| line.starts_with("101,") && line.matches(',').count() == 4).unwrap() + 1;
+    assert!(message.contains(&format!("section.inp:{line}: element 101 has no *SOLID SECTION")), "{message}");
     assert!(Deck::read(&path("none.inp")).err().unwrap().contains("none.inp"));
+}
+
+/// Nodes and elements are named by their lines, as all else is.
+#[test]
+fn wrong_nodes_and_elements_are_named_by_their_lines() {
+    let good = fs::read_to_string(path("steps.inp")).unwrap();
+    let rows = [
+        ("2, 1., 0.", "2, 1., nan", "expected a finite number, found 'nan'"),
+        ("2, 1., 0.", "2, , 0.", "node 2 has no coordinate in field 2"),
+        ("2, 1., 0.", "1, 1., 0.", "node 1 is there twice"),
+        ("1, 1, 2, 3, 4", "1, 4, 3, 2, 1", "element 1 is inverted or has no volume"),
+        ("1, 1, 2, 3, 4", "1, 1, 2, 3, 9", "names node 9, which does not exist"),
+    ];
+    for (number, (from, to, expected)) in rows.into_iter().enumerate() {
+        let name = format!("nodes{number}.inp");
+        let message = said(&good.replacen(from, to, 1), &name);
+        let line = good.lines().position(|line| line == from).unwrap() + 1;
+        assert!(message.starts_with(&format!("{name}:{line}: ")) && message.contains(expected), "{to}: {message}");
+    }
+}
+
+/// Notes stand at the lines of what they are about.
+#[test]
+fn notes_have_lines() {
+    let good = fs::read_to_string(path("patch.inp")).unwrap();
+    let text = good.replace("TYPE=CPE4", "TYPE=CPE4R").replace("*STEP\n*STATIC", "*STEP, INC=2\n*STATIC\n0.1, 1.");
+    let file = std::env::temp_dir().join(format!("fmc-deck-notes-{}.inp", std::process::id()));
+    fs::write(&file, &text).unwrap();
+    let deck = Deck::read(&file).unwrap();
+    let analysis = Analysis::<2>::new(&deck, SolveOptions::default()).unwrap();
+    let line = |start: &str| text.lines().position(|line| line.starts_with(start)).unwrap() + 1;
+    for (start, words) in [
+        ("*ELEMENT", "CPE4R: integrated in full"),
+        ("*NODE FILE", "*NODE FILE: files and tables"),
+        ("*EL FILE", "*EL FILE: files and tables"),
+        ("*STEP", "INC=2: the step begins with as many load steps, not 10"),
+    ] {
+        let found = analysis.notes.iter().any(|note| note.line == line(start) && note.message.starts_with(words));
+        assert!(found, "{start}: {:?}", analysis.notes);
+    }
+    fs::remove_file(file).unwrap();
 }
 
 /// Lines of included files are those of these files.

@@ -20,6 +20,24 @@ pub(crate) struct Outcome<const D: usize> {
     pub(crate) displacement: Vec<[f64; D]>,
     /// Of the first body.
     pub(crate) pressures: Vec<NodalPressure<D>>,
+    /// Coordinates of the nodes, and the pressure that files have.
+    pub(crate) contact: Vec<([f64; D], f64)>,
+}
+
+/// Solves a text as a file.
+pub(crate) fn solved_text<const D: usize>(name: &str, text: &str) -> Outcome<D> {
+    let file = std::env::temp_dir().join(format!("fmc-deck-{name}-{}.inp", std::process::id()));
+    std::fs::write(&file, text).unwrap();
+    let outcome = solved(file.to_str().unwrap(), SolveOptions::default());
+    std::fs::remove_file(file).unwrap();
+    outcome
+}
+
+/// The pressures of an FRD file, node after node.
+fn frd_pressures(text: &str) -> Vec<f64> {
+    let lines = text.lines().skip_while(|line| !line.starts_with(" -4  CONTACT"));
+    let rows = lines.skip_while(|line| !line.starts_with(" -1")).take_while(|line| !line.starts_with(" -3"));
+    rows.map(|line| line[13..25].trim().parse().unwrap()).collect()
 }
 
 /// Solves a file.
@@ -27,8 +45,17 @@ pub(crate) fn solved<const D: usize>(name: &str, options: SolveOptions) -> Outco
     let deck = Deck::read(&path(name)).unwrap();
     assert_eq!(deck.dimension().unwrap(), D);
     let analysis = Analysis::<D>::new(&deck, options).unwrap();
-    let mut all = Outcome { steps: Vec::new(), stresses: Vec::new(), displacement: Vec::new(), pressures: Vec::new() };
+    let order = analysis.order.clone();
+    let mut all = Outcome {
+        steps: Vec::new(),
+        stresses: Vec::new(),
+        displacement: Vec::new(),
+        pressures: Vec::new(),
+        contact: Vec::new(),
+    };
     let ended = analysis.solve(&mut |_, _| ControlFlow::Continue(()), &mut |at, step| {
+        let found = frd_pressures(&fmc_deck::frd_step(&deck, &order, at, (step.number, step.time)));
+        all.contact = at.model().coords().iter().copied().zip(found).collect();
         all.steps.push(step);
         all.displacement = at.displacement().to_vec();
         all.stresses = at.model().stresses(at.displacement());

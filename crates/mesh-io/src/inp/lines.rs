@@ -105,14 +105,15 @@ pub fn label(line: usize, field: &str) -> Result<u64> {
 /// A floating point number, its exponent marked as in Fortran too; nothing at all is 0.
 ///
 /// # Errors
-/// If it is none.
+/// If it is none, or not finite.
 pub fn number(line: usize, field: &str) -> Result<f64> {
     if field.is_empty() {
         return Ok(0.0);
     }
     let marked = field.contains(['d', 'D']).then(|| field.replace(['d', 'D'], "e"));
     match marked.as_deref().unwrap_or(field).parse() {
-        Ok(number) => Ok(number),
+        Ok(number) if f64::is_finite(number) => Ok(number),
+        Ok(_) => bail!("line {line}: expected a finite number, found '{}'", shortened(field)),
         Err(_) => bail!("line {line}: expected a number, found '{}'", shortened(field)),
     }
 }

@@ -3,7 +3,7 @@
 use super::element_name::{Cell, Element};
 use super::lines::{Keyword, Lines, fields, label, number};
 use super::sets::Sets;
-use anyhow::{Context, Result, bail, ensure};
+use anyhow::{Context, Result, anyhow, bail, ensure};
 use std::collections::{HashMap, HashSet};
 
 /// An element that is a cell.
@@ -47,8 +47,11 @@ impl Part {
             let mut entries = fields(text);
             let node = label(line, entries.next().unwrap_or_default())?;
             let mut point = [0.0; 3];
-            for x in &mut point {
-                *x = number(line, entries.next().unwrap_or_default())?;
+            for (place, x) in (2..).zip(&mut point) {
+                // Coordinates that a line does not reach are 0.
+                let Some(field) = entries.next() else { break };
+                ensure!(!field.is_empty(), "line {line}: node {node} has no coordinate in field {place}");
+                *x = number(line, field).map_err(|error| anyhow!("{error} in field {place} of node {node}"))?;
             }
             let index = u32::try_from(self.points.len()).context("more nodes than 32 bits can number")?;
             ensure!(self.node_index.insert(node, index).is_none(), "line {line}: node {node} is there twice");

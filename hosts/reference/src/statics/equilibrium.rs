@@ -8,6 +8,7 @@ use super::newton_settings::NewtonSettings;
 use super::problem::Problem;
 use super::untouched::untouched;
 use crate::fem::{Constraints, Model};
+use fmc_contact::contact::{Adjustment, NodalContact, TieSummary};
 use fmc_contact::overlap::Partner;
 use fmc_contact::{Contact, ContactForces, EnergyLaw, Estimator};
 use std::time::Instant;
@@ -45,6 +46,8 @@ pub struct Equilibrium<const D: usize> {
     pub warnings: Vec<String>,
     /// Seconds in the contact and in the search.
     pub contact_seconds: f64,
+    /// What [`Problem::adjust`] closed and removed.
+    pub adjustment: Adjustment,
 }
 
 impl<const D: usize> Equilibrium<D> {
@@ -71,6 +74,13 @@ impl<const D: usize> Equilibrium<D> {
         for (parts, options) in &problem.pairs {
             contact.set_pair_options(parts.map(Partner::Body), Some(*options))?;
         }
+        if !problem.symmetry_planes.is_empty() {
+            contact.set_symmetry_planes(&problem.symmetry_planes)?;
+        }
+        let adjustment = match problem.adjust {
+            Some([close, remove]) => contact.adjust(problem.model.coords(), close, remove)?,
+            None => Adjustment::default(),
+        };
         let matrices = matrices(&problem.model, &problem.supports);
         if contact.has_friction() {
             // Its line search goes by the potential of frozen friction, stored and dissipated energy together.
@@ -114,6 +124,7 @@ impl<const D: usize> Equilibrium<D> {
             evaluations: 0,
             warnings: Vec::new(),
             contact_seconds: 0.0,
+            adjustment,
         })
     }
 
@@ -158,6 +169,25 @@ impl<const D: usize> Equilibrium<D> {
     /// Those of the contact.
     pub fn true_contact(&self) -> Result<ContactForces<D>, StaticsError> {
         Ok(self.contact.evaluate_true(&self.placed(&self.displacement))?)
+    }
+
+    /// Pressure, area and normal of contact at every node of the last equilibrium.
+    ///
+    /// # Errors
+    /// Those of the contact.
+    pub fn nodal_contact(&self) -> Result<NodalContact<D>, StaticsError> {
+        Ok(self.contact.nodal_contact(&self.placed(&self.displacement))?)
+    }
+
+    /// What ties two bodies, and the nodes of the side that holds; `None` if they are not tied.
+    ///
+    /// # Errors
+    /// Those of the contact.
+    pub fn tie(&self, bodies: [usize; 2]) -> Result<Option<(TieSummary, Vec<u32>)>, StaticsError> {
+        let Some(summary) = self.contact.tie(bodies)? else { return Ok(None) };
+        let nodes = self.contact.tie_nodes(&self.placed(&self.displacement))?;
+        let of_pair = nodes.iter().filter(|row| row.bodies == bodies || row.bodies == [bodies[1], bodies[0]]);
+        Ok(Some((summary, of_pair.map(|row| row.node).collect())))
     }
 
     /// Contact at a displacement, with the coordinates that it is shown.

@@ -21,6 +21,10 @@ pub struct Problem<const D: usize> {
     pub supports: Constraints<D>,
     /// Dead forces on the nodes at full load; empty for none.
     pub load: Vec<[f64; D]>,
+    /// Planes of symmetry, each by a point and a normal: faces in them are no surface.
+    pub symmetry_planes: Vec<[[f64; D]; 2]>,
+    /// Gaps up to the first length are closed and overlaps up to the second removed before all else, without strain.
+    pub adjust: Option<[f64; 2]>,
 }
 
 impl<const D: usize> Problem<D> {
@@ -34,6 +38,8 @@ impl<const D: usize> Problem<D> {
             linearised: None,
             supports: Constraints::default(),
             load: Vec::new(),
+            symmetry_planes: Vec::new(),
+            adjust: None,
         }
     }
 }

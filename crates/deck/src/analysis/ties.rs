@@ -1,0 +1,43 @@
+//! How far ties reach, and what they have tied.
+
+use super::Bodies;
+use super::facets::{area, corner_count};
+use super::result::TieResult;
+use fmc_contact::contact::Interface;
+use fmc_solid::fem::{Face, Model};
+use fmc_solid::statics::{Equilibrium, StaticsError};
+
+/// Reach of ties without POSITION TOLERANCE, in sizes of facets.
+const REACH: f64 = 0.1;
+
+/// The reach of a tie that has none: a tenth of the size of the larger facets.
+pub(super) fn reach<const D: usize>(bodies: Bodies<D>, pair: [usize; 2]) -> f64 {
+    REACH * facet_size(bodies, pair[0]).max(facet_size(bodies, pair[1]))
+}
+
+/// Mean size of the facets of a body: the root of their area, in 2D their length.
+pub(super) fn facet_size<const D: usize>(bodies: Bodies<D>, body: usize) -> f64 {
+    let faces = bodies.model.faces_where(body, |_| true);
+    let size = |face: &Face| area(bodies.model.coords(), &face.nodes).powf(1.0 / (D as f64 - 1.0));
+    faces.iter().map(size).sum::<f64>() / faces.len().max(1) as f64
+}
+
+/// What is tied.
+pub(super) fn results<const D: usize>(at: &Equilibrium<D>) -> Result<Vec<TieResult>, StaticsError> {
+    let mut found = Vec::new();
+    for (bodies, options) in &at.problem().pairs {
+        let Interface::Tied { reach } = options.interface else { continue };
+        let Some((summary, nodes)) = at.tie(*bodies)? else { continue };
+        let facets = bodies.map(|body| facets(at.model(), body, &nodes)).into_iter().sum();
+        let names = bodies.map(|body| at.model().parts()[body].name.clone());
+        let (area, gap) = (summary.area, summary.largest_gap);
+        found.push(TieResult { names, reach, area, gap, nodes: nodes.len(), facets });
+    }
+    Ok(found)
+}
+
+/// Facets of a body whose corners are all among some nodes.
+fn facets<const D: usize>(model: &Model<D>, body: usize, nodes: &[u32]) -> usize {
+    let is_tied = |face: &[u32]| face[..corner_count::<D>(face.len())].iter().all(|node| nodes.contains(node));
+    model.faces_where(body, |_| true).iter().filter(|face| is_tied(&face.nodes)).count()
+}
