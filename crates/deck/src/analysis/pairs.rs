@@ -9,8 +9,8 @@ use fmc_contact::EnergyLaw;
 use fmc_contact::contact::PairOptions;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Options by pair of bodies.
-pub(crate) type Pairs = BTreeMap<[usize; 2], PairOptions>;
+/// Options by pair of bodies, with the line that names it; 0 for those that are left out.
+pub(crate) type Pairs = BTreeMap<[usize; 2], (PairOptions, usize)>;
 
 /// Pressure by penetration, if the file gives it; multipliers then leave the penetration as it is, so that it holds for all pairs.
 pub(super) fn stiffness(deck: &Deck) -> Result<Option<f64>, Fault> {
@@ -42,7 +42,7 @@ pub(super) fn adjustment<const D: usize>(deck: &Deck, bodies: Bodies<D>) -> Resu
 
 /// The pairs that a file names, and that all others are left out.
 pub(super) fn pairs<const D: usize>(deck: &Deck, bodies: Bodies<D>) -> Result<Pairs, Fault> {
-    let mut named: BTreeMap<[usize; 2], (PairOptions, usize)> = BTreeMap::new();
+    let mut named = Pairs::new();
     let mut put = |pair: [usize; 2], options: PairOptions, line: usize| {
         let before = named.insert(pair, (options, line));
         match before.filter(|(before, _)| *before != options) {
@@ -82,8 +82,8 @@ pub(super) fn pairs<const D: usize>(deck: &Deck, bodies: Bodies<D>) -> Result<Pa
     }
     let count = bodies.model.parts().len();
     let all = (0..count).flat_map(|a| (a + 1..count).map(move |b| [a, b]));
-    let mut pairs: Pairs = all.map(|pair| (pair, PairOptions::excluded())).collect();
-    pairs.extend(named.into_iter().map(|(pair, (options, _))| (pair, options)));
+    let mut pairs: Pairs = all.map(|pair| (pair, (PairOptions::excluded(), 0))).collect();
+    pairs.extend(named);
     Ok(pairs)
 }
 
@@ -128,6 +128,19 @@ fn bodies_of<const D: usize>(
         }
     }
     Ok(found)
+}
+
+/// Surfaces of elements have only faces that these have, also where nothing uses them.
+pub(super) fn check_surfaces(deck: &Deck) -> Result<(), Fault> {
+    for (scope, row) in deck.surfaces.rows() {
+        for instance in deck.names.instances_of(scope) {
+            // Sets that are not there matter where the surface is used.
+            if let Ok(cells) = deck.names.find(Kind::Cell, instance, &row.set, row.line) {
+                check_faces(deck, row, &cells)?;
+            }
+        }
+    }
+    Ok(())
 }
 
 /// Cells have the face that a row names, if it names one. Cells of one type are alike.

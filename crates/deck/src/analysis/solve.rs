@@ -1,7 +1,7 @@
 //! Equilibria of all steps.
 
 use super::notes::notes;
-use super::pairs::{adjustment, pairs, stiffness};
+use super::pairs::{Pairs, adjustment, check_surfaces, pairs, stiffness};
 use super::result::StepResult;
 use super::state::{State, nodes};
 use super::symmetry::planes;
@@ -38,7 +38,7 @@ pub struct Analysis<'a, const D: usize> {
     model: Model<D>,
     places: Places,
     state: State<D>,
-    pairs: Vec<([usize; 2], PairOptions)>,
+    pairs: Pairs,
     /// Node sets whose reactions are asked for.
     sets: Vec<(String, Vec<usize>)>,
     /// Pressure by penetration; 0: found by the search.
@@ -73,7 +73,8 @@ impl<'a, const D: usize> Analysis<'a, D> {
         let stiffness = stiffness(deck)?.unwrap_or(0.0);
         let (places, model) = Places::with_model::<D>(deck, options.threads)?;
         let bodies = Bodies { model: &model, places: &places };
-        let pairs = pairs(deck, bodies)?.into_iter().collect();
+        check_surfaces(deck)?;
+        let pairs = pairs(deck, bodies)?;
         let mut state = State::new(deck, bodies)?;
         // Every step is read once before the first is solved: a wrong name in the last is known at once.
         let mut held: Option<BTreeSet<(usize, usize)>> = None;
@@ -108,7 +109,7 @@ impl<'a, const D: usize> Analysis<'a, D> {
     ) -> anyhow::Result<Solved> {
         let node_count = self.model.node_count();
         let start = Start {
-            pairs: self.pairs,
+            pairs: self.pairs.iter().map(|(pair, (options, _))| (*pair, *options)).collect(),
             stiffness: self.stiffness,
             planes: self.planes,
             adjust: self.adjust,
@@ -124,7 +125,14 @@ impl<'a, const D: usize> Analysis<'a, D> {
             for time in self.state.stages() {
                 let (supports, load) = self.state.at(time, node_count);
                 let mut at = match kept {
-                    Kept::Model(model) => start.equilibrium(model, (supports, load))?,
+                    Kept::Model(model) => {
+                        let names: Vec<String> = model.parts().iter().map(|part| part.name.clone()).collect();
+                        let found = start.equilibrium(model, (supports, load));
+                        found.map_err(|error| match untied(&error, &self.pairs, &names) {
+                            Some(fault) => anyhow::anyhow!(self.deck.located(&fault)),
+                            None => error.into(),
+                        })?
+                    }
                     Kept::Equilibrium(mut at) => {
                         at.next_step(supports, load)?;
                         *at
@@ -177,6 +185,19 @@ impl<const D: usize> Kept<D> {
             Self::Equilibrium(at) => at.halvings,
         }
     }
+}
+
+/// What is wrong with a tie, at its line.
+fn untied(error: &StaticsError, pairs: &Pairs, names: &[String]) -> Option<Fault> {
+    let StaticsError::Contact(fmc_contact::Error::Untied { bodies, distances: [reach, nearest] }) = error else {
+        return None;
+    };
+    let [a, b] = bodies.map(|body| names.get(body).map_or("", String::as_str));
+    let message = format!(
+        "'{a}' and '{b}' are tied, and face one another nowhere within {reach:.4e}: the nearest faces are {nearest:.4e} apart. A larger \
+         POSITION TOLERANCE ties them"
+    );
+    Some(Fault::new(pairs.get(bodies)?.1, message))
 }
 
 /// How the first step begins.

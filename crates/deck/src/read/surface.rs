@@ -53,6 +53,12 @@ impl Surfaces {
         }
     }
 
+    /// The rows of all surfaces of elements.
+    pub(crate) fn rows(&self) -> impl Iterator<Item = (&Scope, &SurfaceRow)> {
+        let of_elements = self.0.iter().filter(|(_, surface)| !surface.is_of_nodes);
+        of_elements.flat_map(|((scope, _), surface)| surface.rows.iter().map(move |row| (scope, row)))
+    }
+
     /// A surface of a scope.
     pub(crate) fn get(&self, scope: Scope, name: &str) -> Option<&Surface> {
         self.0.get(&(scope, name.to_uppercase()))

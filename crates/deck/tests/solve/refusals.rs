@@ -53,6 +53,7 @@ fn what_is_not_known_is_named_by_its_line() {
         ("LTOP, S3", "LTOP, S0", "has no face S0"),
         ("LTOP, S3", "LTOP, SPOS", "has no face SPOS"),
         ("LTOP, S3", "LTOP, P3", "has no face P3"),
+        ("*MATERIAL", "*SURFACE, NAME=UNUSED\nUTOP, SNEG\n*MATERIAL", "has no face SNEG"),
         ("LTOP, S3", "LTOP, S3, 1", "expected a set or label and a face"),
         // Numbers that are none.
         ("UTOP, P3, 10.", "UTOP, P3, nan", "expected a finite number, found 'nan' in field 3"),

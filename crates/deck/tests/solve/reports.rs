@@ -1,7 +1,8 @@
 //! What tables and files say of a step.
 
 use crate::scene::{solved, solved_text};
-use fmc_deck::{SolveOptions, step_table};
+use fmc_deck::{Analysis, Deck, SolveOptions, step_table};
+use std::ops::ControlFlow;
 
 /// The file of the page without friction: two squares, one element each, the upper pressed by 10.
 fn squares() -> String {
@@ -77,4 +78,28 @@ fn ties_tell_their_reach_and_what_is_tied() {
     assert!(outcome.contact.iter().all(|(_, pressure)| *pressure == 0.0));
     let given = text.replace("*TIE, NAME=T", "*TIE, NAME=T, POSITION TOLERANCE=0.125");
     assert_eq!(solved_text::<3>("reach", &given).steps[0].ties[0].reach, 0.125);
+}
+
+/// A tie that ties nothing is named by its line, with the words of the file.
+#[test]
+fn a_tie_across_a_gap_is_refused_by_its_line() {
+    let text = std::fs::read_to_string(crate::scene::path("tied.inp")).unwrap();
+    let line = text.lines().find(|line| line.starts_with("*TIE")).unwrap();
+    let text = text.replace(line, "*TIE, NAME=T, POSITION TOLERANCE=1e-9");
+    // The upper block, with labels from 101, 0.01 away.
+    let up = |row: &str| match row.split(',').map(str::trim).collect::<Vec<_>>()[..] {
+        [label, x, y, z] if label.len() == 3 && z.parse::<f64>().is_ok_and(|z| (1.0..=2.0).contains(&z)) => {
+            format!("{label}, {x}, {y}, {}", z.parse::<f64>().unwrap() + 0.01)
+        }
+        _ => row.to_owned(),
+    };
+    let text: String = text.lines().map(|row| up(row) + "\n").collect();
+    let file = std::env::temp_dir().join(format!("fmc-deck-untied-{}.inp", std::process::id()));
+    std::fs::write(&file, &text).unwrap();
+    let deck = Deck::read(&file).unwrap();
+    let analysis = Analysis::<3>::new(&deck, SolveOptions::default()).unwrap();
+    let error = analysis.solve(&mut |_, _| ControlFlow::Continue(()), &mut |_, _| Ok(())).unwrap_err().to_string();
+    let line = text.lines().position(|line| line.starts_with("*TIE")).unwrap() + 2;
+    assert!(error.contains(&format!(".inp:{line}: '")) && error.contains("POSITION TOLERANCE ties them"), "{error}");
+    std::fs::remove_file(file).unwrap();
 }
