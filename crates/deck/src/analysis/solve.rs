@@ -139,7 +139,7 @@ impl<'a, const D: usize> Analysis<'a, D> {
                     }
                 };
                 let steps = ((time - before) / step.period * step.count as f64 - 1e-9).ceil().max(1.0) as usize;
-                let path = Path { steps, ..Path::default() };
+                let path = Path { steps, most_halvings: step.most_halvings };
                 match at.follow(path, &mut |iteration| watch(number + 1, iteration)) {
                     Ok(()) => {}
                     Err(StaticsError::Interrupted) => return Ok(Solved::Interrupted(number + 1)),

@@ -49,6 +49,8 @@ pub(crate) struct Step {
     /// Load steps to begin with, and time.
     pub(crate) count: usize,
     pub(crate) period: f64,
+    /// Times that a load step may be halved before it is shorter than the least increment.
+    pub(crate) most_halvings: u32,
     /// Load steps that `INC` allows, if it is there.
     pub(crate) most: Option<usize>,
     pub(crate) boundaries: Vec<Boundary>,
@@ -60,6 +62,9 @@ pub(crate) struct Step {
 /// Load steps that a step may ask for.
 const MOST_COUNT: f64 = 1e5;
 
+/// Times that a load step is halved, at most.
+const MOST_HALVINGS: u32 = 8;
+
 impl Step {
     /// A step that does nothing.
     pub(super) fn empty(line: usize) -> Self {
@@ -69,6 +74,7 @@ impl Step {
             is_static: false,
             count: 1,
             period: 1.0,
+            most_halvings: MOST_HALVINGS,
             most: None,
             boundaries: Vec::new(),
             loads: Vec::new(),
@@ -142,6 +148,10 @@ impl Step {
                 format!("INC={most}: the step begins with as many load steps, not {planned}"),
             ));
             self.count = most;
+        }
+        if least > 0.0 {
+            let halvings = (self.period / self.count as f64 / least * (1.0 + 1e-9)).log2().floor();
+            self.most_halvings = halvings.clamp(0.0, f64::from(MOST_HALVINGS)) as u32;
         }
         if least > longest {
             return Err(Fault::new(line, "the least increment of *STATIC is above the largest"));
@@ -256,5 +266,35 @@ impl Step {
         one_of(keyword, "OP", &["MOD", "NEW"])?;
         self.is_new[which] |= keyword.value("OP").is_some_and(|op| op.eq_ignore_ascii_case("NEW"));
         Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A step of ten load steps, by its data line.
+    fn step(head: &str, data: &str) -> Step {
+        let text = format!("*STEP{head}\n*STATIC\n{data}\n");
+        let mut lines = Lines::new(&text);
+        let keyword = lines.keyword().unwrap();
+        let mut step = Step::begin(&keyword, &mut lines).unwrap();
+        let keyword = lines.keyword().unwrap();
+        step.read_static(&keyword, &mut lines, &mut Vec::new()).unwrap();
+        step
+    }
+
+    #[test]
+    fn increments_bound_the_load_steps() {
+        for (head, data, count, halvings) in [
+            ("", "0.1, 1.", 10, 8),
+            (", INC=4", "0.1, 1.", 4, 8),
+            (", INC=100", "0.1, 1., 0.025", 10, 2),
+            ("", "0.1, 1., 0.1", 10, 0),
+            ("", "0.1, 1., 1e-5, 0.5", 2, 8),
+        ] {
+            let found = step(head, data);
+            assert_eq!((found.count, found.most_halvings), (count, halvings), "{head} {data}");
+        }
     }
 }

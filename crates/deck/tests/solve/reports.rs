@@ -103,3 +103,20 @@ fn a_tie_across_a_gap_is_refused_by_its_line() {
     assert!(error.contains(&format!(".inp:{line}: '")) && error.contains("POSITION TOLERANCE ties them"), "{error}");
     std::fs::remove_file(file).unwrap();
 }
+
+/// Nodes that are held across x = 0 in all steps make it a plane of symmetry: the pressure does not fall off there, as it does at the free
+/// side x = 1. Where a step releases them, it falls off at both.
+#[test]
+fn planes_of_symmetry_are_found() {
+    let text = std::fs::read_to_string(crate::scene::path("patch.inp")).unwrap();
+    let off = |text: &str, x: f64| {
+        let outcome = solved_text::<2>("symmetry", text);
+        let at = outcome.contact.iter().filter(|(place, _)| *place == [x, 1.0]);
+        // The corner of the upper block comes last.
+        at.last().map(|(_, pressure)| (pressure - 10.0).abs()).unwrap()
+    };
+    let released = text.clone() + "*STEP\n*STATIC\n*BOUNDARY, OP=NEW\nBOTTOM, 2, 2\n1, 1\n101, 1\n*END STEP\n";
+    let found = [off(&text, 0.0), off(&text, 1.0), off(&released, 0.0), off(&released, 1.0)];
+    println!("{found:?}");
+    assert!(found[0] < 0.5 * found[1] && found[2] > 0.7 * found[3], "{found:?}");
+}
