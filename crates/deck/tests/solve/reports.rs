@@ -111,9 +111,9 @@ fn planes_of_symmetry_are_found() {
     let text = std::fs::read_to_string(crate::scene::path("patch.inp")).unwrap();
     let off = |text: &str, x: f64| {
         let outcome = solved_text::<2>("symmetry", text);
-        let at = outcome.contact.iter().filter(|(place, _)| *place == [x, 1.0]);
+        let mut at = outcome.contact.iter().filter(|(place, _)| *place == [x, 1.0]);
         // The corner of the upper block comes last.
-        at.last().map(|(_, pressure)| (pressure - 10.0).abs()).unwrap()
+        at.next_back().map(|(_, pressure)| (pressure - 10.0).abs()).unwrap()
     };
     let released = text.clone() + "*STEP\n*STATIC\n*BOUNDARY, OP=NEW\nBOTTOM, 2, 2\n1, 1\n101, 1\n*END STEP\n";
     let found = [off(&text, 0.0), off(&text, 1.0), off(&released, 0.0), off(&released, 1.0)];
