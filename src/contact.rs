@@ -8,6 +8,7 @@ mod evaluation;
 mod explicit;
 mod flux;
 mod friction;
+mod glides;
 mod history;
 mod interface;
 mod laws;

@@ -3,7 +3,8 @@
 //! `common_pieces` (of facets that face one another) · `between` (what hides them) · `facing_points` (quadrature on these) · `place` (a place of a facet, by the points that
 //! move it) · `opposite` (points of a piece, and what lies opposite) · `covered` (what of facets pieces cover) · `frame` (how the normal of a
 //! facet turns) · `hold` (by which side) · `tie` (the rows of a tie) · `tie_energy` (its energy, forces and tangent) · `cohesive_law` (how an
-//! interface breaks) · `cohesion` (its points) · `cohesive_energy` (as of a tie)
+//! interface breaks) · `cohesion` (its points) · `cohesive_energy` (as of a tie) · `glide` (surfaces that slide and do not separate) ·
+//! `glide_energy` (as of a tie)
 
 mod between;
 mod cohesion;
@@ -13,6 +14,8 @@ mod common_pieces;
 mod covered;
 mod facing_points;
 mod frame;
+mod glide;
+mod glide_energy;
 mod hold;
 mod opposite;
 mod place;
@@ -24,5 +27,7 @@ pub(crate) use cohesive_energy::{CohesionAt, Softened};
 pub(crate) use cohesive_law::CohesiveLaw;
 pub use cohesive_law::{Cohesive, PointDamage, Softening};
 pub(crate) use facing_points::{FacingSurfaces, normal_of, shape_at};
+pub(crate) use glide::Glide;
+pub(crate) use glide_energy::GlideAt;
 pub(crate) use tie::Tie;
 pub(crate) use tie_energy::{Curvature, TieAt};

@@ -141,6 +141,8 @@ module fmc_contact_c
   integer(c_int32_t), parameter :: FMC_INTERFACE_CONTACT = 0
   integer(c_int32_t), parameter :: FMC_INTERFACE_TIED = 1
   integer(c_int32_t), parameter :: FMC_INTERFACE_COHESIVE = 2
+  integer(c_int32_t), parameter :: FMC_INTERFACE_NO_SEPARATION = 3
+  integer(c_int32_t), parameter :: FMC_INTERFACE_ROUGH = 4
   integer(c_int32_t), parameter :: FMC_SOFTENING_LINEAR = 0
   integer(c_int32_t), parameter :: FMC_SOFTENING_EXPONENTIAL = 1
   integer(c_int32_t), parameter :: FMC_PARTNER_BODY = 0

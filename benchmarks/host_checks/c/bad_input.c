@@ -439,10 +439,14 @@ static void contexts(void) {
   EXPECT(FMC_ERROR_OPTIONS_CONFLICT, "'softening' of a pair belongs to the interface 'cohesive'", BODIES);
   wanted = own, wanted.normal_strength = 1;
   EXPECT(FMC_ERROR_OPTIONS_CONFLICT, "'normal_strength' of a pair belongs to the interface 'cohesive'", BODIES);
-  wanted = own, wanted.interface_kind = 3;
-  EXPECT(FMC_ERROR_BAD_VALUE, "option 'interface_kind' has no value 3", BODIES);
+  wanted = own, wanted.interface_kind = 5;
+  EXPECT(FMC_ERROR_BAD_VALUE, "option 'interface_kind' has no value 5", BODIES);
   wanted = own, wanted.reach = 1;
-  EXPECT(FMC_ERROR_OPTIONS_CONFLICT, "'reach' of a pair belongs to the interface 'tied' or 'cohesive'", BODIES);
+  EXPECT(FMC_ERROR_OPTIONS_CONFLICT, "'reach' of a pair belongs to the interface 'tied', 'no_separation' or 'cohesive'", BODIES);
+  wanted = own, wanted.interface_kind = FMC_INTERFACE_ROUGH, wanted.friction_coefficient = 0.3;
+  EXPECT(FMC_ERROR_UNSUPPORTED, "friction of a rough pair", BODIES);
+  wanted = own, wanted.interface_kind = FMC_INTERFACE_NO_SEPARATION, wanted.friction_coefficient = 0.3;
+  EXPECT(FMC_ERROR_UNSUPPORTED, "they slide freely", BODIES);
   wanted = own, wanted.interface_kind = FMC_INTERFACE_TIED;
   EXPECT(FMC_ERROR_UNSUPPORTED, "tied by the law volume", BODIES);
   wanted = own, wanted.law = FMC_LAW_DEPTH, wanted.interface_kind = FMC_INTERFACE_TIED, wanted.reach = -1;

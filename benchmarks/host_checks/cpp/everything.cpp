@@ -107,6 +107,20 @@ void forces_and_getters() {
   contact.set_damage(damage);
   EXPECT(contact.damage() == damage && contact.cohesive(0, 1, coords).broken_area > 0);
   EXPECT(refused(FMC_ERROR_LENGTH, "damage", [&] { contact.set_damage({1.0}); }));
+  // Sliding without separation, the tractions are the force too; rough, the pair is in contact again.
+  own = fmc::PairOptions();
+  own.interface_kind = FMC_INTERFACE_NO_SEPARATION;
+  own.reach = 0.5;
+  contact.set_pair_options(a, b, own);
+  contact.evaluate(coords);
+  pulled = 0;
+  for (const auto &node : contact.tie_nodes(coords)) pulled += node.traction[0] * node.area * (node.body == 1 ? 1 : -1);
+  EXPECT(contact.tie(0, 1).area == tie.area && close(pulled, contact.body(1).force[0], 1e-12));
+  EXPECT(refused(FMC_ERROR_UNSUPPORTED, "do not separate", [&] { contact.tie_constraints(); }));
+  own = fmc::PairOptions();
+  own.interface_kind = FMC_INTERFACE_ROUGH;
+  contact.set_pair_options(a, b, own);
+  EXPECT(contact.pair_options(b, a).interface_kind == FMC_INTERFACE_ROUGH && contact.tie(0, 1).area == 0);
   contact.clear_pair_options(a, b);
   EXPECT(contact.tie(0, 1).area == 0 && contact.tie_nodes(coords).empty());
   EXPECT(contact.pair_options(a, b).excluded == 0 && contact.evaluate(coords).pair_count == 1);

@@ -115,6 +115,7 @@ def smoothed(scene):
 
 
 TIED = of_pair(1, interface="tied", reach=0.2)
+SLIDING = of_pair(1, interface="no_separation", reach=0.2)
 GLUED = together(of_pair(1, interface="cohesive", reach=0.2, normal_strength=1e3 * K, normal_energy=1e3 * K), begun)
 
 STRAIGHT, CURVED = tuple(EDGES), tuple(SECOND_ORDER)
@@ -167,6 +168,12 @@ GROUPS = {
         Feature("tied, closed surfaces", {"surfaces": True}, TIED),
         Feature("tied, ranks", setup=together(TIED, on_ranks)),
         Feature("tied, mesh in parts", {"parts": True}, TIED),
+        Feature("no separation", setup=SLIDING),
+        Feature("no separation, second-order cells, 2D", setup=SLIDING, dims=(2,), kinds=("quad9",)),
+        Feature("no separation, axisymmetry", {"axisymmetric": True}, SLIDING, dims=(2,)),
+        Feature("no separation, ranks", setup=together(SLIDING, on_ranks)),
+        Feature("no separation, mesh in parts", {"parts": True}, SLIDING),
+        Feature("rough", setup=together(of_pair(1, interface="rough"), begun)),
         Feature("cohesive", setup=GLUED),
         Feature("cohesive, second-order cells, 2D", setup=GLUED, dims=(2,), kinds=("quad9",)),
         Feature("cohesive, axisymmetry", {"axisymmetric": True}, GLUED, dims=(2,)),

@@ -49,8 +49,9 @@ impl Host {
                 options.smoothing_length = from.smoothing_length.map_or(0.0, |x| x.0);
             }
             options.excluded = i32::from(from.excluded % 3);
-            options.interface_kind = i32::from(from.excluded / 64);
-            options.reach = if from.excluded >= 64 { from.stiffness.0 } else { 0.0 };
+            // All kinds, and one that is none.
+            options.interface_kind = i32::from(from.excluded / 43);
+            options.reach = if (43..172).contains(&from.excluded) { from.stiffness.0 } else { 0.0 };
             if options.interface_kind == FMC_INTERFACE_COHESIVE {
                 // All are said, so that all come back.
                 (options.normal_strength, options.shear_strength) = (1.0, from.stiffness.0);

@@ -88,7 +88,8 @@ pub struct fmc_options {
     /// Smoothing length of the law "fiber", over which the pressure grows to k; 0, the default: the quadratic law. Refused
     /// with any other law.
     pub smoothing_length: f64,
-    /// Coefficient of Coulomb friction of all pairs that have none of their own, at least 0. Default 0: no friction. With
+    /// Coefficient of Coulomb friction of all pairs that have none of their own, at least 0; infinite: nothing slides where it presses, but by
+    /// `shear_limit`, and not with `memoryless_slip`. Default 0: no friction. With
     /// it, steps are begun and committed, see `fmc_context_begin_step`, and the tangent is unsymmetric. With the law
     /// "volume" not without `friction_stiffness` or `memoryless_slip`.
     pub friction_coefficient: f64,

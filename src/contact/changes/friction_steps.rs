@@ -1,4 +1,5 @@
-//! Steps of a contact with friction, or with an interface that breaks: what is carried from one to the next.
+//! Steps of a contact with friction, with an interface that breaks, or with bodies that slide and do not separate: what is carried from one to
+//! the next.
 
 use crate::Error;
 use crate::contact::evaluation::{Contact, kernels};
@@ -11,6 +12,7 @@ use crate::contact::history::{Bearings, Begun};
 pub(crate) fn begin<const D: usize>(contact: &mut Contact<D>, coords: &[[f64; D]]) -> Result<(), Error> {
     contact.mesh.check_brought(coords)?;
     contact.mesh.surface.check_coords(&contact.mesh.points(coords)?, true)?;
+    let glides = contact.glides.moved_on(&contact.mesh, contact.method.weighting(), &contact.mesh.points(coords)?)?;
     let before = contact.history.step.take();
     let slip = before.as_ref().map_or_else(CarriedSlip::new, |step| step.slip.clone());
     let begun = step_at(contact, coords, slip)?;
@@ -22,6 +24,7 @@ pub(crate) fn begin<const D: usize>(contact: &mut Contact<D>, coords: &[[f64; D]
             return Err(error);
         }
     }
+    contact.glides = glides;
     Ok(())
 }
 
@@ -30,12 +33,15 @@ pub(crate) fn commit<const D: usize>(contact: &mut Contact<D>, coords: &[[f64; D
     contact.history.step()?;
     contact.mesh.check_brought(coords)?;
     let pairs = kernels::slip_facets(contact, coords)?;
-    let damage = contact.cohesions.damaged(&contact.mesh.points(coords)?, &contact.history.damage)?;
+    let points = contact.mesh.points(coords)?;
+    let damage = contact.cohesions.damaged(&points, &contact.history.damage)?;
+    let glides = contact.glides.moved_on(&contact.mesh, contact.method.weighting(), &points)?;
     let slip = pairs.iter().flat_map(SlipFacets::carried).collect();
     let next = step_at(contact, coords, slip)?;
     let bearings = bearings(contact, || Ok(pairs))?;
     contact.history.begin(next, bearings);
     contact.history.damage = damage;
+    contact.glides = glides;
     Ok(())
 }
 

@@ -76,9 +76,16 @@ fn set_interface<const D: usize>(
     options: Option<PairOptions>,
 ) -> Result<(), Error> {
     let [Partner::Body(a), Partner::Body(b)] = pair else { return Ok(()) };
-    let Contact { mesh, method, ties, cohesions, history, .. } = contact;
+    let Contact { mesh, method, ties, glides, cohesions, history, .. } = contact;
     let reach = options.and_then(|options| options.tied_within());
+    let sliding = options.and_then(|options| options.slides_within());
     let cohesive = options.and_then(|options| options.cohesive());
+    if sliding.is_some() {
+        mesh.surface.refuse_submesh("bodies that do not separate, of a mesh in parts")?;
+        if mesh.surface.cells.is_none() {
+            return Err(Error::Unsupported { what: "bodies that do not separate, without cells" });
+        }
+    }
     if reach.is_some() {
         mesh.surface.refuse_submesh("bodies that are tied, of a mesh in parts")?;
         if mesh.surface.cells.is_none() {
@@ -91,7 +98,10 @@ fn set_interface<const D: usize>(
             return Err(Error::Unsupported { what: "a cohesive interface of bodies without cells" });
         }
     }
-    // What can fail comes first; the other of the two is none.
+    // What can fail comes first; all others are none.
+    if sliding.is_some() {
+        glides.set([a, b], sliding, mesh, method.weighting())?;
+    }
     let is_new = match cohesive {
         Some(_) => cohesions.set([a, b], cohesive, mesh, method.weighting())?,
         None => {
@@ -99,6 +109,9 @@ fn set_interface<const D: usize>(
             cohesions.set([a, b], None, mesh, method.weighting())?
         }
     };
+    if sliding.is_none() {
+        glides.set([a, b], None, mesh, method.weighting())?;
+    }
     if cohesive.is_some() {
         ties.set([a, b], None, mesh, method.weighting())?;
     }
@@ -110,7 +123,8 @@ fn set_interface<const D: usize>(
 
 /// Finds ties and cohesive interfaces on another mesh without deformation; these are whole again.
 pub(crate) fn find_interfaces_again<const D: usize>(contact: &mut Contact<D>) {
-    let Contact { mesh, method, ties, cohesions, history, .. } = contact;
+    let Contact { mesh, method, ties, glides, cohesions, history, .. } = contact;
+    glides.find_again(mesh, method.weighting());
     ties.find_again(mesh, method.weighting());
     cohesions.find_again(mesh, method.weighting());
     history.damage.clear();

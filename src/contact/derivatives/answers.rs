@@ -111,6 +111,9 @@ fn by_coefficient<const D: usize>(
     if a.is_empty() {
         return Ok(0.0);
     }
+    if friction.coefficient.is_infinite() {
+        return Err(Error::Unsupported { what: "the derivative by an infinite coefficient of friction" });
+    }
     if friction.coefficient <= 0.0 {
         let what = "the derivative by a coefficient of friction of 0, at which the slip of the step is not known";
         return Err(Error::Unsupported { what });

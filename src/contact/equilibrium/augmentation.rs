@@ -3,6 +3,7 @@
 use crate::Error;
 use crate::contact::changes;
 use crate::contact::evaluation::{Contact, kernels};
+use crate::contact::glides::Glides;
 use crate::contact::history::{Multiplier, Multipliers, check_law, sorted};
 use crate::contact::method::Options;
 use crate::contact::results::GapConstraints;
@@ -64,15 +65,19 @@ impl<const D: usize> Contact<D> {
     ) -> Result<Augmentation, Error> {
         let (next, mut found) = self.measured(coords, reach)?;
         let (of_ties, next_of_ties) = self.change_of_ties(coords)?;
-        found.penetration = found.penetration.max(of_ties.largest);
-        found.change = found.change.max(of_ties.largest);
-        found.mean_change = found.mean_change.max(of_ties.mean);
+        let (of_glides, next_glides) = self.change_of_glides(coords)?;
+        for of_interfaces in [of_ties, of_glides] {
+            found.penetration = found.penetration.max(of_interfaces.largest);
+            found.change = found.change.max(of_interfaces.largest);
+            found.mean_change = found.mean_change.max(of_interfaces.mean);
+        }
         found.is_enough = is_enough(&found);
         match found.is_enough {
             true => self.history.multipliers.end_series(),
             false => {
                 self.history.multipliers = next;
                 self.ties.put_back(next_of_ties);
+                self.glides = next_glides;
             }
         }
         found.count = self.history.multipliers.list().len();
@@ -85,17 +90,26 @@ impl<const D: usize> Contact<D> {
     /// # Errors
     /// As [`Self::augment`].
     pub fn nodal_penetration(&self, coords: &[[f64; D]], reach: f64) -> Result<f64, Error> {
-        Ok(self.measured(coords, reach)?.1.penetration.max(self.change_of_ties(coords)?.0.largest))
+        let of_interfaces = self.change_of_ties(coords)?.0.largest.max(self.change_of_glides(coords)?.0.largest);
+        Ok(self.measured(coords, reach)?.1.penetration.max(of_interfaces))
     }
 
     fn change_of_ties(&self, coords: &[[f64; D]]) -> Result<(TieChange, TieMultipliers<D>), Error> {
         self.ties.change(&self.mesh.points(coords)?, |pair| self.stiffness_of_pair(pair))
     }
 
+    /// What slides and does not separate: with points that are found anew where bodies have moved to.
+    fn change_of_glides(&self, coords: &[[f64; D]]) -> Result<(TieChange, Glides<D>), Error> {
+        let points = self.mesh.points(coords)?;
+        let found = self.glides.moved_on(&self.mesh, self.method.weighting(), &points)?;
+        found.updated(&points, |pair| self.stiffness_of_pair(pair))
+    }
+
     /// Leaves a part of what the multipliers press and pull with: a guess for another load.
     pub(crate) fn scale_multipliers(&mut self, part: f64) {
         self.history.multipliers.scale(part);
         self.ties.scale_multipliers(part);
+        self.glides.scale_multipliers(part);
     }
 
     /// The next multipliers.
@@ -139,6 +153,7 @@ impl<const D: usize> Contact<D> {
         }
         self.history.multipliers = multipliers.iter().copied().collect();
         self.ties.put_back(TieMultipliers::new());
+        self.glides.release_multipliers();
         Ok(())
     }
 

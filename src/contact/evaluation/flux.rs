@@ -16,6 +16,9 @@ pub(super) fn flux_in<const D: usize>(
 ) -> Result<Vec<Block<1>>, Error> {
     contact.mesh.surface.refuse_submesh("the flux through contact of a mesh in parts")?;
     contact.partners.check_stiffness(contact.method.options())?;
+    if !contact.glides.is_empty() {
+        return Err(Error::Unsupported { what: "the flux through bodies that do not separate" });
+    }
     let conductance = request.conductance;
     let rounding = 128.0 * f64::EPSILON * coords.as_flattened().iter().fold(0.0f64, |most, x| most.max(x.abs()));
     let reach = conductance.reach().max(rounding) + layer(contact);

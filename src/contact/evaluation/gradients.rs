@@ -20,8 +20,9 @@ pub(super) fn gradients_in<const D: usize>(
     request: &GradientRequest,
 ) -> Result<Gradients<D>, Error> {
     check_ready(contact)?;
-    if !contact.ties.is_empty() && (request.reference || request.stiffness || request.gap_offsets || request.friction) {
-        let what = "a derivative with bodies that are tied, but by coordinates and poses";
+    let is_held = !(contact.ties.is_empty() && contact.glides.is_empty());
+    if is_held && (request.reference || request.stiffness || request.gap_offsets || request.friction) {
+        let what = "a derivative with bodies that are tied or do not separate, but by coordinates and poses";
         return Err(Error::Unsupported { what });
     }
     if !contact.cohesions.is_empty() {

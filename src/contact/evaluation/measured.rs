@@ -47,6 +47,10 @@ pub(super) fn measured_pairs<const D: usize>(
         let stiffness = |pair| contact.stiffness_of_pair(pair);
         answers.extend(contact.ties.measured(coords.unshifted, stiffness, (asked.energy, asked.tangent))?);
     }
+    if !contact.glides.is_empty() {
+        let stiffness = |pair| contact.stiffness_of_pair(pair);
+        answers.extend(contact.glides.measured(coords.unshifted, stiffness, (asked.energy, asked.tangent))?);
+    }
     if !contact.cohesions.is_empty() {
         let damage = &contact.history.damage;
         answers.extend(contact.cohesions.measured(coords.unshifted, damage, (asked.energy, asked.tangent))?);

@@ -3,6 +3,7 @@
 use super::state::LastState;
 use crate::Error;
 use crate::contact::cohesive::Cohesions;
+use crate::contact::glides::Glides;
 use crate::contact::history::History;
 use crate::contact::mesh::Mesh;
 use crate::contact::method::{Method, Options};
@@ -23,6 +24,7 @@ pub struct Contact<const D: usize> {
     pub(crate) work: Work,
     pub(crate) history: History<D>,
     pub(crate) ties: Ties<D>,
+    pub(crate) glides: Glides<D>,
     pub(crate) cohesions: Cohesions<D>,
     /// Nothing that any result depends on.
     pub(crate) state: LastState<D>,
@@ -38,6 +40,7 @@ pub(crate) fn assemble<const D: usize>(surface: Surface<D>, options: Options) ->
         method: Method::new(options)?,
         history: History::new(),
         ties: Ties::default(),
+        glides: Glides::default(),
         cohesions: Cohesions::default(),
         state: LastState::new(),
     })

@@ -31,7 +31,9 @@ impl Bore {
     pub(super) fn limit_before(&self, before: &Bearing) -> f64 {
         let by_area = before.area * before.whole / self.area;
         let by_depth = if self.depth > 0.0 { few(before.depth * before.whole / self.depth) } else { by_area };
-        self.pressed * by_depth + self.cohesion * by_area
+        // What never slides has no limit, also where it did not bear.
+        let of_area = if by_area > 0.0 { self.cohesion * by_area } else { 0.0 };
+        self.pressed * by_depth + of_area
     }
 }
 

@@ -12,7 +12,8 @@ use crate::Error;
 /// the step alone: smooth, and nothing is carried from one step to the next, so that what should stick creeps.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Friction {
-    /// Coefficient of friction μ, at least 0; of what slides, where there is another for what rests.
+    /// Coefficient of friction μ, at least 0; of what slides, where there is another for what rests. Infinite: nothing slides where it
+    /// presses, but by the shear limit; not without memory.
     pub coefficient: f64,
     /// Coefficient from rest, and how it falls; `None`: one coefficient. Not together with `memoryless_slip`.
     pub at_rest: Option<StaticFriction>,
@@ -81,10 +82,15 @@ impl Friction {
     /// Checks every value.
     pub(crate) fn check(&self) -> Result<(), Error> {
         let refuse = |name, value: f64| Err(Error::NotPositive { name, value });
-        for (name, value) in [("friction_coefficient", self.coefficient), ("cohesion", self.cohesion)] {
-            if !(value.is_finite() && value >= 0.0) {
-                return refuse(name, value);
-            }
+        if self.coefficient.is_nan() || self.coefficient < 0.0 {
+            return refuse("friction_coefficient", self.coefficient);
+        }
+        if !(self.cohesion.is_finite() && self.cohesion >= 0.0) {
+            return refuse("cohesion", self.cohesion);
+        }
+        if self.coefficient.is_infinite() && self.memoryless_slip.is_some() {
+            let what = "what never slides with friction without memory, by which it creeps: leave memoryless_slip at its default";
+            return Err(Error::Unsupported { what });
         }
         for (name, value) in [("friction_stiffness", self.stiffness), ("memoryless_slip", self.memoryless_slip)] {
             if let Some(value) = value.filter(|value| !(value.is_finite() && *value > 0.0)) {

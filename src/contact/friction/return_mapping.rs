@@ -43,7 +43,12 @@ pub(crate) struct Traction<const D: usize> {
 impl Friction {
     /// Traction at which a point under this pressure slides by this coefficient, and what that changes by with the pressure.
     pub(crate) fn limit(&self, pressure: f64, coefficient: f64) -> (f64, f64) {
-        let pressed = coefficient * pressure + self.cohesion;
+        // What never slides does not do so whatever the pressure.
+        let (pressed, coefficient) = match coefficient.is_infinite() {
+            true if pressure > 0.0 => (f64::INFINITY, 0.0),
+            true => (self.cohesion, 0.0),
+            false => (coefficient * pressure + self.cohesion, coefficient),
+        };
         if pressed > self.shear_limit { (self.shear_limit, 0.0) } else { (pressed, coefficient) }
     }
 }

@@ -9,7 +9,7 @@ use crate::overlap::Partner;
 use std::collections::BTreeMap;
 
 impl<const D: usize> Contact<D> {
-    /// The tie of two bodies, `None` where they are not tied.
+    /// The tie of two bodies, or what of them slides and does not separate; `None` where they are neither.
     ///
     /// # Errors
     /// [`Error::BodyOutOfRange`]; [`Error::Untied`] where they were tied on another mesh without deformation, and are not on this one.
@@ -17,10 +17,14 @@ impl<const D: usize> Contact<D> {
         let pair = self.partners.checked_pair(bodies.map(Partner::Body), self.mesh.surface.body_count())?;
         let [Partner::Body(a), Partner::Body(b)] = pair else { return Ok(None) };
         let found = self.ties.of([a, b]).transpose()?;
-        Ok(found.map(|tie| TieSummary { area: tie.area, largest_gap: tie.largest_gap, count: tie.rows.len() }))
+        let of_tie =
+            found.map(|tie| TieSummary { area: tie.area, largest_gap: tie.largest_gap, count: tie.rows.len() });
+        let glide = self.glides.of([a, b]).transpose()?;
+        let summary = |area, largest_gap, count| TieSummary { area, largest_gap, count };
+        Ok(of_tie.or(glide.map(|glide| summary(glide.area, glide.first.largest_gap, glide.rows.len()))))
     }
 
-    /// Traction and jump of all ties at `coords`, by pair and node.
+    /// Traction and jump of all ties at `coords`, by pair and node; of bodies that do not separate along their normals.
     ///
     /// # Errors
     /// [`Error::Length`], [`Error::NonFiniteCoordinate`], [`Error::NoStiffness`], [`Error::Untied`].
@@ -44,22 +48,36 @@ impl<const D: usize> Contact<D> {
                 });
             }
         }
+        for held in self.glides.all() {
+            let (glide, multipliers) = held?;
+            let [a, b] = glide.first.bodies;
+            let at = glide.at(&points, self.stiffness_of_pair([a, b].map(Partner::Body)), multipliers);
+            let bodies = if glide.first.is_second { [b, a] } else { [a, b] };
+            for (number, (row, (gap, traction))) in glide.rows.iter().zip(at.gaps.iter().zip(&at.tractions)).enumerate()
+            {
+                let normal = at.normal(number);
+                let (traction, jump) = ((normal * -*traction).into(), (normal * *gap).into());
+                found.push(TieNode { node: row.point, bodies, area: row.measure, traction, jump });
+            }
+        }
+        found.sort_by_key(|one| (one.bodies[0].min(one.bodies[1]), one.bodies[0].max(one.bodies[1])));
         Ok(found)
     }
 
-    /// Products of the part of the tangent that ties and cohesive interfaces have with motions of all rows of `coords`; none without these.
+    /// Products of the part of the tangent that ties, what does not separate and cohesive interfaces have with motions of all rows of `coords`; none without these.
     pub(crate) fn held_by_interfaces(
         &self,
         coords: &[[f64; D]],
         motions: &[Vec<[f64; D]>],
     ) -> Result<Vec<Vec<[f64; D]>>, Error> {
-        if self.ties.is_empty() && self.cohesions.is_empty() {
+        if self.ties.is_empty() && self.glides.is_empty() && self.cohesions.is_empty() {
             return Ok(Vec::new());
         }
         let points = self.mesh.points(coords)?;
         let stiffness = |pair| self.stiffness_of_pair(pair);
         let part = Some(TangentPart::Semidefinite);
         let mut parts = self.ties.measured(&points, stiffness, (false, part))?;
+        parts.extend(self.glides.measured(&points, stiffness, (false, part))?);
         parts.extend(self.cohesions.measured(&points, &self.history.damage, (false, part))?);
         let tangent = Tangent::sum(parts.into_iter().filter_map(|part| part.tangent).collect());
         let tangent = match self.mesh.surface.division() {
@@ -73,8 +91,12 @@ impl<const D: usize> Contact<D> {
     /// multipliers of their own.
     ///
     /// # Errors
-    /// [`Error::Unsupported`] where a gap is kept, along which a row depends on how facets turn; [`Error::Untied`].
+    /// [`Error::Unsupported`] where a gap is kept, along which a row depends on how facets turn, and with bodies that do not separate;
+    /// [`Error::Untied`].
     pub fn tie_constraints(&self) -> Result<TieConstraints, Error> {
+        if !self.glides.is_empty() {
+            return Err(Error::Unsupported { what: "equations of bodies that do not separate, whose normals turn" });
+        }
         let mut found = TieConstraints { row_starts: vec![0], ..TieConstraints::default() };
         for held in self.ties.all() {
             let (tie, _) = held?;

@@ -50,6 +50,18 @@ pub enum Interface {
         /// In length; 0: a tenth of the mean facet of the body with the larger facets, all its faces included.
         reach: f64,
     },
+    /// They slide on one another without friction, and do not separate, where their faces face one another without deformation as those that
+    /// are tied: the normal part of a tie, along the normals of facets as these turn, also in compression. They are in no other contact.
+    ///
+    /// Points that face one another are found anew where a step begins ([`Contact::begin_step`](crate::Contact::begin_step),
+    /// [`Contact::commit_step`](crate::Contact::commit_step)) and with the multipliers ([`Contact::augment`](crate::Contact::augment)); in
+    /// between they slide along the planes of the facets.
+    NoSeparation {
+        /// In length; 0: a tenth of the larger facets.
+        reach: f64,
+    },
+    /// They press and open as in contact, and never slide where they touch: the limit of Coulomb friction with an infinite coefficient.
+    Rough,
     /// They are held together where their faces face one another without deformation, as those that are tied, but by an interface that opens,
     /// slides and breaks: see [`Cohesive`]. They are in no contact: the interface carries compression with the stiffness that it has
     /// without damage, at the material points that faced one another at first, also where it is broken.
@@ -62,6 +74,10 @@ pub enum Interface {
 impl PairOptions {
     /// The friction of the pair, beside that of the options.
     pub(crate) fn friction(&self, of_contact: Friction) -> Friction {
+        if self.interface == Interface::Rough {
+            let (coefficient, shear_limit) = (f64::INFINITY, f64::INFINITY);
+            return Friction { coefficient, shear_limit, at_rest: None, ..of_contact };
+        }
         let own = self.friction_coefficient;
         Friction {
             coefficient: own.unwrap_or(of_contact.coefficient),
@@ -78,6 +94,16 @@ impl PairOptions {
     /// Two bodies that are tied, within a reach; 0: as of [`Interface::Tied`].
     pub fn tied(reach: f64) -> Self {
         Self { interface: Interface::Tied { reach }, ..Self::default() }
+    }
+
+    /// Two bodies that slide and do not separate, within a reach; 0: a tenth of the larger facets.
+    pub fn no_separation(reach: f64) -> Self {
+        Self { interface: Interface::NoSeparation { reach }, ..Self::default() }
+    }
+
+    /// Two partners that never slide where they touch.
+    pub fn rough() -> Self {
+        Self { interface: Interface::Rough, ..Self::default() }
     }
 
     /// Two bodies that are held together by an interface that breaks.
@@ -101,9 +127,17 @@ impl PairOptions {
         }
     }
 
+    /// The reach of what slides and does not separate, if the pair does so.
+    pub(crate) fn slides_within(&self) -> Option<f64> {
+        match self.interface {
+            Interface::NoSeparation { reach } if !self.excluded => Some(reach),
+            _ => None,
+        }
+    }
+
     /// Whether the two press and rub: they are neither left out nor tied, nor held together by an interface that breaks.
     pub(crate) fn is_in_contact(&self) -> bool {
-        !self.excluded && self.interface == Interface::Contact
+        !self.excluded && matches!(self.interface, Interface::Contact | Interface::Rough)
     }
 
     /// A pair with a law of its own.

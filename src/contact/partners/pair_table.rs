@@ -153,39 +153,68 @@ fn check_offset(pair: &[Partner; 2], options: &PairOptions, has_depth: bool) -> 
     }
 }
 
-/// What bodies that are held together cannot have beside it, whatever holds them.
+/// What a pair cannot have beside its interface.
 fn check_interface(pair: &[Partner; 2], options: &PairOptions, law: &EnergyLaw) -> Result<(), Error> {
     let rubs = options.friction_coefficient.is_some() || options.static_friction.is_some();
-    let is_tied = matches!(options.interface, Interface::Tied { .. });
+    let interface = options.interface;
+    let of = |of_tie, of_sliding, of_cohesive| match interface {
+        Interface::Tied { .. } => of_tie,
+        Interface::NoSeparation { .. } => of_sliding,
+        _ => of_cohesive,
+    };
     let what = match pair {
-        _ if options.interface == Interface::Contact => return Ok(()),
-        [_, Partner::Obstacle(_)] if is_tied => {
-            "a body that is tied to an obstacle: the host prescribes how its nodes move"
-        }
-        [_, Partner::Obstacle(_)] => "a cohesive interface of a body and an obstacle",
-        [a, b] if a == b && is_tied => "a body that is tied to itself",
-        [a, b] if a == b => "a cohesive interface of a body with itself",
-        _ if options.excluded && is_tied => "a pair that is both left out and tied",
-        _ if options.excluded => "a pair that is both left out and has a cohesive interface",
-        _ if rubs && is_tied => "friction of bodies that are tied: they do not slide",
-        _ if rubs => "friction of bodies with a cohesive interface, which has none",
+        _ if interface == Interface::Contact => return Ok(()),
+        _ if interface == Interface::Rough && options.excluded => "a pair that is both left out and rough",
+        _ if interface == Interface::Rough && rubs => "friction of a rough pair, which never slides",
+        _ if interface == Interface::Rough => return Ok(()),
+        [_, Partner::Obstacle(_)] => of(
+            "a body that is tied to an obstacle: the host prescribes how its nodes move",
+            "a body that does not separate from an obstacle",
+            "a cohesive interface of a body and an obstacle",
+        ),
+        [a, b] if a == b => of(
+            "a body that is tied to itself",
+            "a body that does not separate from itself",
+            "a cohesive interface of a body with itself",
+        ),
+        _ if options.excluded => of(
+            "a pair that is both left out and tied",
+            "a pair that is both left out and does not separate",
+            "a pair that is both left out and has a cohesive interface",
+        ),
+        _ if rubs => of(
+            "friction of bodies that are tied: they do not slide",
+            "friction of bodies that do not separate: they slide freely",
+            "friction of bodies with a cohesive interface, which has none",
+        ),
         _ if options.gap_offset != 0.0 => {
-            "a gap offset of bodies that are tied or have a cohesive interface: their gap is kept as it is"
+            "a gap offset of bodies that are tied, do not separate, or have a cohesive interface: their gap is kept as it is"
         }
-        _ if is_tied && matches!(law, EnergyLaw::Volume { .. }) => {
-            "bodies that are tied by the law volume, which has no stiffness by area: give the pair the law depth"
+        _ if interface_needs_law(interface) && matches!(law, EnergyLaw::Volume { .. }) => of(
+            "bodies that are tied by the law volume, which has no stiffness by area: give the pair the law depth",
+            "bodies that do not separate by the law volume, which has no stiffness by area: give the pair the law depth",
+            "",
+        ),
+        _ if !interface_needs_law(interface) && options.law.is_some() => {
+            "a law of bodies with a cohesive interface, which has its own"
         }
-        _ if !is_tied && options.law.is_some() => "a law of bodies with a cohesive interface, which has its own",
-        _ => return check_values(options.interface),
+        _ => return check_values(interface),
     };
     Err(Error::Unsupported { what })
 }
 
+/// Whether its stiffness is that of the pair's law.
+fn interface_needs_law(interface: Interface) -> bool {
+    matches!(interface, Interface::Tied { .. } | Interface::NoSeparation { .. })
+}
+
 fn check_values(interface: Interface) -> Result<(), Error> {
     match interface {
-        Interface::Contact => Ok(()),
-        Interface::Tied { reach } if reach.is_finite() && reach >= 0.0 => Ok(()),
-        Interface::Tied { reach } => Err(Error::NotPositive { name: "reach", value: reach }),
+        Interface::Contact | Interface::Rough => Ok(()),
+        Interface::Tied { reach } | Interface::NoSeparation { reach } if reach.is_finite() && reach >= 0.0 => Ok(()),
+        Interface::Tied { reach } | Interface::NoSeparation { reach } => {
+            Err(Error::NotPositive { name: "reach", value: reach })
+        }
         Interface::Cohesive(cohesive) => cohesive.check(),
     }
 }

@@ -136,6 +136,8 @@ FMC_SHAPE_SIGNED_DISTANCE = 10
 FMC_INTERFACE_CONTACT = 0
 FMC_INTERFACE_TIED = 1
 FMC_INTERFACE_COHESIVE = 2
+FMC_INTERFACE_NO_SEPARATION = 3
+FMC_INTERFACE_ROUGH = 4
 FMC_SOFTENING_LINEAR = 0
 FMC_SOFTENING_EXPONENTIAL = 1
 FMC_PARTNER_BODY = 0
@@ -292,7 +294,7 @@ FMC_SHAPE_KIND: dict[int, str] = {
     10: "signed_distance",
 }
 
-FMC_INTERFACE: dict[int, str] = {0: "contact", 1: "tied", 2: "cohesive"}
+FMC_INTERFACE: dict[int, str] = {0: "contact", 1: "tied", 2: "cohesive", 3: "no_separation", 4: "rough"}
 
 FMC_SOFTENING: dict[int, str] = {0: "linear", 1: "exponential"}
 

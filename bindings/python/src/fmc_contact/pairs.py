@@ -93,7 +93,7 @@ class Pairs:
         exponent, smoothing_length : float, optional
             Of the laws ``"volume"`` and ``"fiber"``, as in ``Options``.
         friction_coefficient : float, optional
-            Coefficient of the pair. All else of its friction comes from the options of the contact, but that at rest.
+            Coefficient of the pair, which may be infinite: it then never slides. All else of its friction comes from the options of the contact, but that at rest.
         static_coefficient, weakening_slip : float
             Friction of the pair at rest, as in ``Options``. Default: that of the contact, or none with a ``friction_coefficient``.
         gap_offset : float
@@ -108,9 +108,12 @@ class Pairs:
         interface : str
             ``"contact"``, or ``"tied"``: two bodies go together where their undeformed faces lie opposite each other, and are in no
             contact anywhere. See ``tie``. ``"cohesive"``: they are held together there until they break. See ``contact.cohesive``.
+            ``"no_separation"``: they slide on each other there without friction, and do not separate. Points that lie opposite each other
+            are found again by ``friction.begin_step``, ``friction.commit_step`` and updates of multipliers. ``"rough"``: contact that
+            never slides where it is closed.
         reach : float
-            Of bodies that are tied or held together: the largest gap or overlap between faces that belong together (length). A gap
-            stays as it is. 0: a tenth of the mean facet of the body with the larger facets, all its faces included.
+            Of bodies that are tied, held together or slide without separation: the largest gap or overlap between faces that belong
+            together (length). A gap stays as it is. 0: a tenth of the mean facet of the body with the larger facets, all its faces included.
         normal_strength, shear_strength : float
             Of a cohesive interface: the tractions at which damage begins in pure opening and in pure sliding. That of sliding is by
             default that of opening.
@@ -236,7 +239,7 @@ class Pairs:
         return options
 
     def tie(self, a: int, b: int) -> Tie:
-        """The tie of two bodies, as it was found without deformation.
+        """The tie of two bodies, as it was found without deformation; of bodies that slide without separation where it was found last.
 
         Parameters
         ----------

@@ -40,12 +40,20 @@ fn number(key: &str, value: &str) -> Result<f64, Failure> {
     parsed.ok_or_else(|| unknown_value(key, value, "a finite number"))
 }
 
+/// The same, or infinite: `inf`.
+fn number_or_infinity(key: &str, value: &str) -> Result<f64, Failure> {
+    match value.parse() {
+        Ok(f64::INFINITY) => Ok(f64::INFINITY),
+        _ => number(key, value),
+    }
+}
+
 fn set(options: &mut fmc_options, key: &str, value: &str) -> Result<(), Failure> {
     match key {
         "stiffness" => options.stiffness = number(key, value)?,
         "exponent" => options.exponent = number(key, value)?,
         "smoothing_length" => options.smoothing_length = number(key, value)?,
-        "friction_coefficient" => options.friction_coefficient = number(key, value)?,
+        "friction_coefficient" => options.friction_coefficient = number_or_infinity(key, value)?,
         "friction_stiffness" => options.friction_stiffness = number(key, value)?,
         "cohesion" => options.cohesion = number(key, value)?,
         "shear_limit" => options.shear_limit = number(key, value)?,
@@ -118,6 +126,16 @@ mod tests {
             assert!(options != before, "{key}");
             let failure = set(&mut options, key, "none").unwrap_err();
             assert!(failure.text.starts_with(&format!("option '{key}' has no value 'none'")), "{}", failure.text);
+        }
+    }
+
+    #[test]
+    fn only_friction_may_be_infinite() {
+        let mut options = fmc_options::default();
+        set(&mut options, "friction_coefficient", "inf").unwrap();
+        assert_eq!(options.friction_coefficient, f64::INFINITY);
+        for (key, value) in [("friction_coefficient", "-inf"), ("friction_coefficient", "nan"), ("stiffness", "inf")] {
+            assert_eq!(set(&mut options, key, value).unwrap_err().status, FMC_ERROR_BAD_VALUE);
         }
     }
 

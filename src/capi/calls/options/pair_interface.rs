@@ -18,6 +18,12 @@ pub enum fmc_interface {
     /// the interface carries compression without damage, also where it is broken, at the points that faced one another at first. See
     /// `fmc_context_cohesive`. Key value "cohesive".
     FMC_INTERFACE_COHESIVE = 2,
+    /// They slide on one another without friction, and do not separate, where those that are tied would be held: the normal part of a tie, also
+    /// in compression. They are in no other contact. Points that face one another are found anew by `fmc_context_begin_step`,
+    /// `fmc_context_commit_step` and `fmc_context_augment`. What holds for a tie holds for it. Key value "no_separation".
+    FMC_INTERFACE_NO_SEPARATION = 3,
+    /// They press and open as in contact, and never slide where they touch: an infinite coefficient of friction. Key value "rough".
+    FMC_INTERFACE_ROUGH = 4,
 }
 
 /// How the traction of a cohesive interface falls as it opens.
@@ -43,6 +49,8 @@ const INTERFACE: Choice = Choice {
         (fmc_interface::FMC_INTERFACE_CONTACT as i32, "contact"),
         (fmc_interface::FMC_INTERFACE_TIED as i32, "tied"),
         (fmc_interface::FMC_INTERFACE_COHESIVE as i32, "cohesive"),
+        (fmc_interface::FMC_INTERFACE_NO_SEPARATION as i32, "no_separation"),
+        (fmc_interface::FMC_INTERFACE_ROUGH as i32, "rough"),
     ],
 };
 
@@ -82,6 +90,10 @@ impl From<Interface> for InterfaceFields {
             Interface::Tied { reach } => {
                 Self { interface_kind: fmc_interface::FMC_INTERFACE_TIED as i32, reach, ..Self::default() }
             }
+            Interface::NoSeparation { reach } => {
+                Self { interface_kind: fmc_interface::FMC_INTERFACE_NO_SEPARATION as i32, reach, ..Self::default() }
+            }
+            Interface::Rough => Self { interface_kind: fmc_interface::FMC_INTERFACE_ROUGH as i32, ..Self::default() },
             Interface::Cohesive(own) => Self {
                 interface_kind: fmc_interface::FMC_INTERFACE_COHESIVE as i32,
                 stiffness: own.stiffness,
@@ -133,7 +145,9 @@ impl InterfaceFields {
         match of_cohesive.into_iter().find(|(_, is_set)| *is_set) {
             Some((key, _)) => conflict(key, "'cohesive'"),
             None if kind == "tied" => Ok(Interface::Tied { reach: self.reach }),
-            None if self.reach != 0.0 => conflict("reach", "'tied' or 'cohesive'"),
+            None if kind == "no_separation" => Ok(Interface::NoSeparation { reach: self.reach }),
+            None if self.reach != 0.0 => conflict("reach", "'tied', 'no_separation' or 'cohesive'"),
+            None if kind == "rough" => Ok(Interface::Rough),
             None => Ok(Interface::Contact),
         }
     }

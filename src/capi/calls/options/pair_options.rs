@@ -48,7 +48,7 @@ pub struct fmc_pair_options {
     /// rounded, and what holds for `FMC_SHAPE_SIGNED_DISTANCE` holds for it. Between bodies, and of one with itself,
     /// only with the law "depth" and not positive: -c lets either body in by c before it presses.
     pub gap_offset: f64,
-    /// Coefficient of friction, at least 0, or `FMC_PAIR_FRICTION_OF_CONTEXT`, the default. All else of the friction is that of
+    /// Coefficient of friction, at least 0 or infinite, or `FMC_PAIR_FRICTION_OF_CONTEXT`, the default. All else of the friction is that of
     /// the context's options.
     pub friction_coefficient: f64,
     /// A value of `fmc_law`, or `FMC_PAIR_LAW_OF_CONTEXT`, the default.
@@ -64,9 +64,9 @@ pub struct fmc_pair_options {
     pub interface_kind: i32,
     /// A value of `fmc_softening`, with `FMC_INTERFACE_COHESIVE`. Default `FMC_SOFTENING_LINEAR`.
     pub softening: i32,
-    /// How far apart faces that belong together may be, or how far they may overlap, a length, with `FMC_INTERFACE_TIED` and
-    /// `FMC_INTERFACE_COHESIVE`; 0, the default: a tenth of the mean facet of the body with the larger facets, all its
-    /// faces included.
+    /// How far apart faces that belong together may be, or how far they may overlap, a length, with `FMC_INTERFACE_TIED`,
+    /// `FMC_INTERFACE_COHESIVE` and `FMC_INTERFACE_NO_SEPARATION`; 0, the default: a tenth of the mean facet of the body with
+    /// the larger facets, all its faces included.
     pub reach: f64,
     /// With `FMC_INTERFACE_COHESIVE`: traction at which damage begins in pure opening, positive.
     pub normal_strength: f64,
@@ -298,7 +298,13 @@ mod tests {
                     let own = |mu: f64| StaticFriction { coefficient: 1.5 * mu, weakening_slip: 0.1 };
                     let static_friction = friction_coefficient.filter(|mu| *mu > 0.0).map(own);
                     let law = Some(law);
-                    let interface = if excluded { Interface::Contact } else { Interface::Tied { reach: 0.25 } };
+                    let of_kind =
+                        [Interface::Tied { reach: 0.25 }, Interface::NoSeparation { reach: 0.5 }, Interface::Rough];
+                    let interface = if excluded {
+                        Interface::Contact
+                    } else {
+                        of_kind[friction_coefficient.map_or(0, |mu| 1 + usize::from(mu > 0.0))]
+                    };
                     let options =
                         PairOptions { excluded, law, friction_coefficient, static_friction, gap_offset, interface };
                     assert_eq!(fmc_pair_options::from(options).to_pair_options().unwrap(), options);
@@ -340,9 +346,13 @@ mod tests {
             (|o| o.law = 3, VALUE, "option 'law' has no value 3"),
             (|o| o.excluded = 2, VALUE, "option 'excluded' has no value 2"),
             (|o| o.reserved[0] = 1, reserved, "later version"),
-            (|o| o.interface_kind = 3, VALUE, "option 'interface_kind' has no value 3"),
+            (|o| o.interface_kind = 5, VALUE, "option 'interface_kind' has no value 5"),
             (|o| o.softening = 2, VALUE, "option 'softening' has no value 2"),
-            (|o| o.reach = 0.1, conflict, "'reach' of a pair belongs to the interface 'tied' or 'cohesive'"),
+            (
+                |o| o.reach = 0.1,
+                conflict,
+                "'reach' of a pair belongs to the interface 'tied', 'no_separation' or 'cohesive'",
+            ),
             (|o| (o.interface_kind, o.shear_energy) = (1, 2.0), conflict, "'shear_energy' of a pair belongs to"),
             (|o| o.softening = 1, conflict, "'softening' of a pair belongs to the interface 'cohesive'"),
         ] {

@@ -10,8 +10,8 @@ use crate::capi::structs::tie::{fmc_tie, fmc_tie_node};
 use crate::capi::structs::view::fmc_coords;
 use std::ffi::c_void;
 
-/// The tie of two bodies, indices for `fmc_context_body_resultant`, as it was found where nothing is deformed. They are tied by
-/// `fmc_context_set_pair_options`. Of bodies that are not tied all numbers are zero.
+/// The tie of two bodies, indices for `fmc_context_body_resultant`, as it was found where nothing is deformed; of bodies that slide and do not
+/// separate as it was found last. They are made by `fmc_context_set_pair_options`. Of other bodies all numbers are zero.
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BODY_OUT_OF_RANGE`; `FMC_ERROR_UNTIED` where other reference coordinates, which were set
 /// after the bodies were tied, have left nothing of the tie; `FMC_ERROR_BUSY`. Threads: several at once on one context, as long as no
@@ -33,7 +33,8 @@ pub unsafe extern "C" fn fmc_context_tie(
     })
 }
 
-/// Traction and jump of all ties at `coords`, by pair and node of the side that holds, mostly that with the larger facets.
+/// Traction and jump of all ties at `coords`, by pair and node of the side that holds, mostly that with the larger facets; of bodies that do not
+/// separate those along the normal.
 ///
 /// `count` becomes their number; `rows` has room for `capacity`. NULL with capacity 0: the number alone is asked for.
 ///
@@ -70,7 +71,7 @@ pub unsafe extern "C" fn fmc_context_tie_nodes(
 /// asked for.
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_LENGTH` where a number does not fit into the context's
-/// numbers, `FMC_ERROR_UNSUPPORTED` where a tie keeps a gap, along which its rows depend on how facets turn, `FMC_ERROR_UNTIED` as
+/// numbers, `FMC_ERROR_UNSUPPORTED` where a tie keeps a gap, along which its rows depend on how facets turn, and with bodies that do not separate, `FMC_ERROR_UNTIED` as
 /// `fmc_context_tie`, `FMC_ERROR_BUSY`; nothing is written then. Threads: several at once on one context, as long as no call changes it.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_tie_constraints(

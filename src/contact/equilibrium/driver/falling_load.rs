@@ -17,7 +17,9 @@ const CHANGED: f64 = 1e-2;
 pub(super) async fn falling_load<const D: usize>(search: &mut Search<D>, start: State<D>) -> Result<State<D>, Trouble> {
     let host = &search.host;
     search.unloaded = is_gone(search, &start).await?;
-    let has_any = host.contact(|contact| !contact.history.multipliers.is_empty() || contact.ties.have_multipliers());
+    let has_any = host.contact(|contact| {
+        !contact.history.multipliers.is_empty() || contact.ties.have_multipliers() || contact.glides.have_multipliers()
+    });
     if !has_any.await || start.norm(host) <= CHANGED * norm(&start.forces) {
         return Ok(start);
     }

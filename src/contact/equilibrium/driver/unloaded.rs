@@ -52,11 +52,11 @@ pub(super) async fn apart<const D: usize>(
     enough: f64,
 ) -> Result<Option<(State<D>, Verdict)>, Trouble> {
     let let_go = |contact: &mut Contact<D>| {
-        let before = (contact.multipliers(), contact.ties.multipliers());
+        let before = (contact.multipliers(), contact.ties.multipliers(), contact.glides.clone());
         contact.scale_multipliers(0.0);
         before
     };
-    let (multipliers, of_ties) = search.host.contact(let_go).await;
+    let (multipliers, of_ties, glides) = search.host.contact(let_go).await;
     match untouched(search, start, enough).await {
         Ok(Some(x)) => {
             let state = State::at(&search.host, x, true).await?;
@@ -73,6 +73,7 @@ pub(super) async fn apart<const D: usize>(
         // They were there before.
         let _ = contact.set_multipliers(&multipliers);
         contact.ties.put_back(of_ties);
+        contact.glides = glides;
     });
     put_back.await;
     Ok(None)

@@ -113,7 +113,7 @@ def _bodies(end: End) -> Bodies:
             "and before commit_step"
         )
     if len(contact.multipliers.values) and len(contact.tie_nodes(coords)):
-        raise UnsupportedError("the adjoint of multipliers with bodies that are tied")
+        raise UnsupportedError("the adjoint of multipliers with bodies that are tied or do not separate")
     return Bodies(end.given, end.contact, end.x.shape, end.solved_for, end.solve)
 
 
