@@ -42,15 +42,15 @@ fn turned(counts: [usize; 2]) -> [f64; 2] {
     found
 }
 
-/// A facet of length h stands off its circle by h²/8, 3e-3 of the radius at 40 facets: so far from the centre its mean normal may pass, and by
-/// as much its length is wrong. Half as large facets have a quarter of both.
+/// A facet of length h stands off its circle by h²/8, 3e-3 of the radius at 40 facets, by which lengths and normals are wrong, and forces by some
+/// times as much. Means over hat functions see the same standing off wherever the pin has turned to, but for terms of h⁴, 1e-5: the torque is of
+/// these. Half as large facets have a quarter of the one, and less of the other.
 #[test]
 fn a_pin_turns_in_its_hole_without_torque() {
     for counts in [[40, 56], [40, 40], [56, 40]] {
         let [torque, force] = turned(counts);
         let [finer, force_finer] = turned(counts.map(|count| 2 * count));
-        println!("{counts:?}: {torque:e} {force:e}, {finer:e} {force_finer:e}");
-        assert!(torque < 3e-3 && force < 1e-2, "{counts:?}: {torque:e} {force:e}");
-        assert!(finer < 0.4 * torque + 1e-6 && force_finer < 0.4 * force, "{counts:?}: {finer:e} {force_finer:e}");
+        assert!(torque < 2e-5 && force < 1e-2, "{counts:?}: {torque:e} {force:e}");
+        assert!(finer < 0.2 * torque + 1e-12 && force_finer < 0.4 * force, "{counts:?}: {finer:e} {force_finer:e}");
     }
 }

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 from fmc_contact import Contact, errors
-from test_ties import COORDS, CONN, squares
+from test_ties import CONN, COORDS, squares
 
 UPPER = np.arange(10)[:, None] >= 4
 

@@ -93,7 +93,8 @@ class Pairs:
         exponent, smoothing_length : float, optional
             Of the laws ``"volume"`` and ``"fiber"``, as in ``Options``.
         friction_coefficient : float, optional
-            Coefficient of the pair, which may be infinite: it then never slides. All else of its friction comes from the options of the contact, but that at rest.
+            Coefficient of the pair, which may be infinite: it then never slides. All else of its friction comes from the options of the
+            contact, but that at rest.
         static_coefficient, weakening_slip : float
             Friction of the pair at rest, as in ``Options``. Default: that of the contact, or none with a ``friction_coefficient``.
         gap_offset : float
