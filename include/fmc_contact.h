@@ -334,7 +334,8 @@ typedef struct {
   // Smoothing length of the law "fiber", over which the pressure grows to k; 0, the default: the quadratic law. Refused
   // with any other law.
   double smoothing_length;
-  // Coefficient of Coulomb friction of all pairs that have none of their own, at least 0. Default 0: no friction. With
+  // Coefficient of Coulomb friction of all pairs that have none of their own, at least 0; infinite: nothing slides where it presses, but by
+  // `shear_limit`, and not with `memoryless_slip`. Default 0: no friction. With
   // it, steps are begun and committed, see `fmc_context_begin_step`, and the tangent is unsymmetric. With the law
   // "volume" not without `friction_stiffness` or `memoryless_slip`.
   double friction_coefficient;
@@ -888,6 +889,12 @@ typedef enum {
   // the interface carries compression without damage, also where it is broken, at the points that faced one another at first. See
   // `fmc_context_cohesive`. Key value "cohesive".
   FMC_INTERFACE_COHESIVE = 2,
+  // They slide on one another without friction, and do not separate, where those that are tied would be held: the normal part of a tie, also
+  // in compression. They are in no other contact. Points that face one another are found anew by `fmc_context_begin_step`,
+  // `fmc_context_commit_step` and `fmc_context_augment`. What holds for a tie holds for it. Key value "no_separation".
+  FMC_INTERFACE_NO_SEPARATION = 3,
+  // They press and open as in contact, and never slide where they touch: an infinite coefficient of friction. Key value "rough".
+  FMC_INTERFACE_ROUGH = 4,
 } fmc_interface;
 
 // How the traction of a cohesive interface falls as it opens.
@@ -920,7 +927,7 @@ typedef struct {
   // rounded, and what holds for `FMC_SHAPE_SIGNED_DISTANCE` holds for it. Between bodies, and of one with itself,
   // only with the law "depth" and not positive: -c lets either body in by c before it presses.
   double gap_offset;
-  // Coefficient of friction, at least 0, or `FMC_PAIR_FRICTION_OF_CONTEXT`, the default. All else of the friction is that of
+  // Coefficient of friction, at least 0 or infinite, or `FMC_PAIR_FRICTION_OF_CONTEXT`, the default. All else of the friction is that of
   // the context's options.
   double friction_coefficient;
   // A value of `fmc_law`, or `FMC_PAIR_LAW_OF_CONTEXT`, the default.
@@ -936,8 +943,8 @@ typedef struct {
   int32_t interface_kind;
   // A value of `fmc_softening`, with `FMC_INTERFACE_COHESIVE`. Default `FMC_SOFTENING_LINEAR`.
   int32_t softening;
-  // How far apart faces that belong together may be, or how far they may overlap, a length, with `FMC_INTERFACE_TIED` and
-  // `FMC_INTERFACE_COHESIVE`; 0, the default: a tenth of the larger facets.
+  // How far apart faces that belong together may be, or how far they may overlap, a length, with `FMC_INTERFACE_TIED`,
+  // `FMC_INTERFACE_COHESIVE` and `FMC_INTERFACE_NO_SEPARATION`; 0, the default: a tenth of the larger facets.
   double reach;
   // With `FMC_INTERFACE_COHESIVE`: traction at which damage begins in pure opening, positive.
   double normal_strength;
@@ -2398,8 +2405,8 @@ fmc_status fmc_context_gap_gradient(const fmc_context *context,
                                     size_t capacity,
                                     size_t *count);
 
-// The tie of two bodies, indices for `fmc_context_body_resultant`, as it was found where nothing is deformed. They are tied by
-// `fmc_context_set_pair_options`. Of bodies that are not tied all numbers are zero.
+// The tie of two bodies, indices for `fmc_context_body_resultant`, as it was found where nothing is deformed; of bodies that slide and do not
+// separate as it was found last. They are made by `fmc_context_set_pair_options`. Of other bodies all numbers are zero.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BODY_OUT_OF_RANGE`; `FMC_ERROR_UNTIED` where other reference coordinates, which were set
 // after the bodies were tied, have left nothing of the tie; `FMC_ERROR_BUSY`. Threads: several at once on one context, as long as no
@@ -2409,7 +2416,8 @@ fmc_status fmc_context_tie(const fmc_context *context,
                            size_t b,
                            fmc_tie *tie);
 
-// Traction and jump of all ties at `coords`, by pair and node of the side that holds, mostly that with the larger facets.
+// Traction and jump of all ties at `coords`, by pair and node of the side that holds, mostly that with the larger facets; of bodies that do not
+// separate those along the normal.
 //
 // `count` becomes their number; `rows` has room for `capacity`. NULL with capacity 0: the number alone is asked for.
 //
@@ -2431,7 +2439,7 @@ fmc_status fmc_context_tie_nodes(fmc_context *context,
 // asked for.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_LENGTH` where a number does not fit into the context's
-// numbers, `FMC_ERROR_UNSUPPORTED` where a tie keeps a gap, along which its rows depend on how facets turn, `FMC_ERROR_UNTIED` as
+// numbers, `FMC_ERROR_UNSUPPORTED` where a tie keeps a gap, along which its rows depend on how facets turn, and with bodies that do not separate, `FMC_ERROR_UNTIED` as
 // `fmc_context_tie`, `FMC_ERROR_BUSY`; nothing is written then. Threads: several at once on one context, as long as no call changes it.
 fmc_status fmc_context_tie_constraints(const fmc_context *context,
                                        void *row_offsets,
