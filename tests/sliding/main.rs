@@ -37,6 +37,11 @@ fn shifted<const D: usize>(scene: &Scene<D>, by: [f64; D]) -> Vec<[f64; D]> {
     coords
 }
 
+/// Blocks in space, of every type below and above.
+fn some_in_space(gap: f64) -> Vec<Scene<3>> {
+    in_space(gap).into_iter().step_by(5).collect()
+}
+
 /// The largest of some vectors.
 fn largest<const D: usize>(vectors: &[[f64; D]]) -> f64 {
     vectors.iter().flatten().fold(0.0, |most, x| x.abs().max(most))

@@ -27,9 +27,7 @@ fn turned(counts: [usize; 2]) -> [f64; 2] {
         let (s, c) = (6.1 * f64::from(step)).to_radians().sin_cos();
         let at = |by: f64| {
             let mut coords = scene.coords.clone();
-            coords[..scene.first_node[1]]
-                .iter_mut()
-                .for_each(|x| *x = [c * x[0] - s * x[1] + by, s * x[0] + c * x[1]]);
+            coords[..scene.first_node[1]].iter_mut().for_each(|x| *x = [c * x[0] - s * x[1] + by, s * x[0] + c * x[1]]);
             coords
         };
         contact.begin_step(&at(0.0)).expect("a step");

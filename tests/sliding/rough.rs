@@ -8,10 +8,7 @@ use fmc_contact::{Contact, EnergyLaw, Error, Obstacle, Options, Pose, Shape};
 use fmc_shapes::{cuboid_hex8, rectangle_quad4};
 
 fn plane() -> Scene<2> {
-    Scene::of(&[
-        &rectangle_quad4([0.0, 0.0], [2.0, 1.0], [5, 1]),
-        &rectangle_quad4([0.4, 1.0], [1.4, 2.0], [3, 1]),
-    ])
+    Scene::of(&[&rectangle_quad4([0.0, 0.0], [2.0, 1.0], [5, 1]), &rectangle_quad4([0.4, 1.0], [1.4, 2.0], [3, 1])])
 }
 
 /// The contact after a first step that presses the block by 0.01.
@@ -36,7 +33,8 @@ fn rough_is_an_endless_coefficient() {
             let found = rough.evaluate(&at).expect("an evaluation");
             assert_eq!(found, other.evaluate(&at).expect("an evaluation"));
             assert!(found.friction.slip_area == 0.0 && found.friction.stick_area > 0.6);
-            let products = [&rough, &other].map(|one| one.tangent(&at, TangentPart::Full).expect("a tangent").product(&at));
+            let products =
+                [&rough, &other].map(|one| one.tangent(&at, TangentPart::Full).expect("a tangent").product(&at));
             assert_eq!(products[0], products[1]);
         }
     }
