@@ -64,12 +64,15 @@ pub(super) struct GlidePart {
     pub(super) apart: Weights,
 }
 
-/// Sums of one row while they are made, by facet and by point of either body.
+/// ∫ψ a dA over a facet, by point of either body; true on the side that is faced.
+type Apart = BTreeMap<(bool, u32), f64>;
+
+/// Sums of one row while they are made, by facet.
 #[derive(Default)]
 struct Sums {
     measure: f64,
     gap: f64,
-    parts: BTreeMap<usize, (f64, BTreeMap<(bool, u32), f64>)>,
+    parts: BTreeMap<usize, (f64, Apart)>,
 }
 
 impl<const D: usize> Glide<D> {
@@ -178,7 +181,7 @@ impl<const D: usize> Glide<D> {
         numbers.values_mut().zip(0..).for_each(|(number, next)| *number = next);
         frames.values_mut().zip(0..).for_each(|(number, next)| *number = next);
         let number = |is_other: bool, node: u32| numbers[&(is_other != is_second, node)];
-        let part = |(facet, (measure, apart)): (&usize, &(f64, BTreeMap<(bool, u32), f64>))| GlidePart {
+        let part = |(facet, (measure, apart)): (&usize, &(f64, Apart))| GlidePart {
             frame: frames[facet],
             measure: *measure,
             apart: apart.iter().map(|(&(is_other, node), w)| (number(is_other, node), *w)).collect(),
