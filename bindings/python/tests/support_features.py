@@ -173,7 +173,7 @@ GROUPS = {
         Feature("no separation, axisymmetry", {"axisymmetric": True}, SLIDING, dims=(2,)),
         Feature("no separation, ranks", setup=together(SLIDING, on_ranks)),
         Feature("no separation, mesh in parts", {"parts": True}, SLIDING),
-        Feature("rough", setup=together(of_pair(1, interface="rough"), begun)),
+        Feature("rough", RUBBED, together(of_pair(1, interface="rough"), begun)),
         Feature("cohesive", setup=GLUED),
         Feature("cohesive, second-order cells, 2D", setup=GLUED, dims=(2,), kinds=("quad9",)),
         Feature("cohesive, axisymmetry", {"axisymmetric": True}, GLUED, dims=(2,)),

@@ -97,7 +97,7 @@ def ring(radii, edges, is_second_order):
 def test_a_pin_turns_in_its_hole_under_a_pull(is_second_order):
     """The pin is turned at its inner rim and pulled aside. A circle of facets, of 9 degrees each, stands off by 3e-3 of its radius: as far from
     the centre may a force pass."""
-    edges = (20, 28) if is_second_order else (40, 56)
+    edges = (14, 20) if is_second_order else (40, 56)
     bases = [ring((0.4, 1.0), edges[0], is_second_order), ring((1.0, 2.0), edges[1], is_second_order)]
     starts = np.cumsum([0] + [basis.N for basis in bases])
     contact = SkfemContact(list(zip(bases, starts)))
@@ -113,7 +113,7 @@ def test_a_pin_turns_in_its_hole_under_a_pull(is_second_order):
     places, axis = np.concatenate(places), np.concatenate(axis)
     inner = np.arange(starts[-1]) < starts[1]
     u = np.zeros(starts[-1])
-    for step in range(1, 6):
+    for step in range(1, 4):
         angle, pull = np.radians(9.7) * step, 2e-3
         c, s = np.cos(angle), np.sin(angle)
         turned = places.copy()
