@@ -265,14 +265,14 @@ pub enum Error {
     /// The law has no stiffness, and none was found from that of the bodies
     /// ([`Contact::set_layer_stiffness`](crate::Contact::set_layer_stiffness)).
     NoStiffness,
-    /// Two bodies are tied, or joined by a cohesive interface, and face one another nowhere within reach.
+    /// Two bodies are tied, joined by a cohesive interface or kept from separating, and face one another nowhere within reach.
     Untied {
         /// Both bodies, by index.
         bodies: [usize; 2],
         /// The reach, and how far apart the nearest faces are, in length; infinite where none face one another.
         distances: [f64; 2],
-        /// Whether it is a cohesive interface that should join them.
-        is_cohesive: bool,
+        /// What they should be: tied, joined by a cohesive interface, or kept from separating.
+        held: &'static str,
     },
     /// The points of a convex hull lie in one plane (2D: on one line), or their hull cannot be found to rounding.
     DegenerateHull {

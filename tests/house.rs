@@ -42,6 +42,7 @@ const ROOMS: &[&str] = &[
     "contact/partners",
     "contact/mesh",
     "contact/ties",
+    "contact/glides",
     "contact/flux",
     "contact/cohesive",
     "contact/work",

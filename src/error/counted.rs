@@ -74,7 +74,7 @@ impl Error {
             | Error::Place { code: _ }
             | Error::NoStep
             | Error::NoStiffness
-            | Error::Untied { bodies: _, distances: _, is_cohesive: _ }
+            | Error::Untied { bodies: _, distances: _, held: _ }
             | Error::EmptyCompound
             | Error::Unsupported { what: _ }
             | Error::TooManyFibers { needed: _, limit: _ }

@@ -140,8 +140,7 @@ impl fmt::Display for Error {
                      does at its start"
                 )
             }
-            Error::Untied { bodies: [a, b], distances: [reach, nearest], is_cohesive } => {
-                let held = if *is_cohesive { "joined by a cohesive interface" } else { "tied" };
+            Error::Untied { bodies: [a, b], distances: [reach, nearest], held } => {
                 write!(f, "bodies {a} and {b} are {held}, and ")?;
                 if !nearest.is_finite() {
                     return write!(f, "none of their faces lie opposite one another");

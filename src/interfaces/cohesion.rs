@@ -62,7 +62,7 @@ impl<const D: usize> Cohesion<D> {
         covered.check()?;
         let area: f64 = found.iter().map(|(_, point)| point.measure).sum();
         if area <= 0.0 {
-            return Err(facing.untied(bodies, true));
+            return Err(facing.untied(bodies, "joined by a cohesive interface"));
         }
         let corners = |facet: usize| surface.facets[facet].map(|vertex| surface.nodes_of_vertex(vertex).collect());
         let mut numbers: BTreeMap<(bool, u32), u32> = BTreeMap::new();

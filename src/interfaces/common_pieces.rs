@@ -1,6 +1,6 @@
 //! Pieces of facets of one body that face a facet of another.
 
-use super::between::Between;
+use super::near_facets::NearFacets;
 use crate::Error;
 use crate::geometry::aabb::Aabb;
 use crate::geometry::convex_piece::{Corners, Piece, place, value};
@@ -42,7 +42,7 @@ pub(super) struct Facing<'a, const D: usize> {
     pub(super) vertices: &'a [Vector<D>],
     /// Facets of both sides, by number in the surface.
     sides: [Vec<usize>; 2],
-    pub(super) between: Between<D>,
+    pub(super) near_facets: NearFacets<D>,
     /// How far apart facets may be, or how far they may overlap.
     pub(super) reach: f64,
     /// The same as it was given.
@@ -75,8 +75,8 @@ impl<'a, const D: usize> Facing<'a, D> {
     pub(super) fn new(surface: &'a Surface<D>, vertices: &'a [Vector<D>], sides: [Vec<usize>; 2], reach: f64) -> Self {
         let rounding = UNITS * vertices.iter().map(|x| x.amax()).fold(0.0, f64::max);
         let corners = |facet: usize| surface.facets[facet].map(|vertex| vertices[vertex as usize]);
-        let between = Between::new(&sides, corners);
-        let mut facing = Self { surface, vertices, sides, between, reach, given: reach, rounding };
+        let near_facets = NearFacets::new(&sides, corners);
+        let mut facing = Self { surface, vertices, sides, near_facets, reach, given: reach, rounding };
         facing.set_reach(reach);
         facing
     }
@@ -110,8 +110,8 @@ impl<'a, const D: usize> Facing<'a, D> {
     }
 
     /// Why there is nothing between two bodies.
-    pub(super) fn untied(&self, bodies: [usize; 2], is_cohesive: bool) -> Error {
-        Error::Untied { bodies, distances: [self.given, self.nearest().unwrap_or(f64::INFINITY)], is_cohesive }
+    pub(super) fn untied(&self, bodies: [usize; 2], held: &'static str) -> Error {
+        Error::Untied { bodies, distances: [self.given, self.nearest().unwrap_or(f64::INFINITY)], held }
     }
 
     pub(super) fn corners(&self, facet: usize) -> [Vector<D>; D] {

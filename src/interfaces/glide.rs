@@ -128,11 +128,8 @@ impl<const D: usize> Glide<D> {
         let (at_rest, vertices) = (surface.points(rest), surface.points(points));
         let facing = Facing::of_bodies(surface, &vertices, first.bodies, first.reach);
         let (mut sums, mut covered, mut area) = (BTreeMap::<u32, Sums>::new(), Covered::default(), 0.0);
-        let side = usize::from(first.is_second);
-        let mut candidates: Vec<_> =
-            facing.candidates(first.bodies).iter().map(|pair| [pair[side], pair[1 - side]]).collect();
-        candidates.sort_unstable();
-        for piece in candidates.into_iter().filter_map(|pair| facing.common(pair)) {
+        let candidates = facing.candidates(first.is_second);
+        for piece in candidates.into_iter().flat_map(|pair| facing.common(pair)) {
             let [here, there] = piece.facets;
             covered.add(&piece);
             let corners = [&at_rest, &vertices].map(|x| surface.facets[here].map(|vertex| x[vertex as usize]));
@@ -155,7 +152,7 @@ impl<const D: usize> Glide<D> {
         }
         covered.check()?;
         if area <= 0.0 {
-            return Err(facing.untied(first.bodies));
+            return Err(facing.untied(first.bodies, "kept from separating"));
         }
         let left_out = covered.left_out(&facing, weighting, area);
         Ok(Self::assembled(surface, &sums, (area, left_out), first))

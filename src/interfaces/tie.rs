@@ -144,7 +144,7 @@ impl<'a, const D: usize> Build<'a, D> {
     fn finish(self, bodies: [usize; 2], is_second: bool) -> Result<Tie<D>, Error> {
         self.covered.check()?;
         if self.area <= 0.0 {
-            return Err(self.facing.untied(bodies, false));
+            return Err(self.facing.untied(bodies, "tied"));
         }
         let left_out = self.covered.left_out(self.facing, self.weighting, self.area);
         let surface = self.facing.surface;

@@ -2,7 +2,7 @@
 //!
 //! `bodies` (connected parts of the mesh) · `facets` (their sizes) · `notes` (what is taken in another sense) ·
 //! `pairs` (who touches, rubs or is tied) · `timed` (a value over a step) · `state` (what is held
-//! and loaded, step after step) · `spread` (loads on faces and volumes) · `symmetry` (planes that supports make) · `ties` (how far they reach) · `solve` (equilibria) · `result` (what a step leaves) · `warnings` (the library's, in words of files)
+//! and loaded, step after step) · `surfaces` (and their faces) · `spread` (loads on faces and volumes) · `symmetry` (planes that supports make) · `ties` (how far they reach) · `solve` (equilibria) · `result` (what a step leaves) · `warnings` (the library's, in words of files)
 
 mod bodies;
 mod facets;
@@ -12,6 +12,7 @@ mod result;
 mod solve;
 mod spread;
 mod state;
+mod surfaces;
 mod symmetry;
 mod ties;
 mod timed;
@@ -19,5 +20,6 @@ mod warnings;
 
 pub(crate) use bodies::{Bodies, Places};
 pub(crate) use facets::area;
-pub use result::{PairResult, StepResult, TieResult};
+pub use result::{PairResult, StepResult};
 pub use solve::{Analysis, SolveOptions, Solved};
+pub use ties::TieResult;

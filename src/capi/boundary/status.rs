@@ -334,7 +334,7 @@ mod tests {
             Error::ObstacleRemoved { obstacle: 0 },
             Error::NoStep,
             Error::NoStiffness,
-            Error::Untied { bodies: [0, 1], distances: [0.1, 0.3], is_cohesive: false },
+            Error::Untied { bodies: [0, 1], distances: [0.1, 0.3], held: "tied" },
             Error::NonFiniteSlip { facet: 0 },
             Error::NegativeRadius { node: 0, radius: -1.0 },
             Error::NonConforming { cells: [0, 1] },

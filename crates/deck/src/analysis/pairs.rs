@@ -1,7 +1,7 @@
 //! Which bodies touch, rub or are tied.
 
 use super::Bodies;
-use super::spread::face_number;
+use super::surfaces::{face_number, surface};
 use super::ties::{facet_size, reach};
 use crate::Fault;
 use crate::read::{Deck, Kind, PairRow, SurfaceRow};
@@ -154,18 +154,4 @@ fn check_faces(deck: &Deck, row: &SurfaceRow, cells: &[usize]) -> Result<(), Fau
         }
     }
     Ok(())
-}
-
-/// The instance of a surface, whether it is of nodes, and its rows.
-pub(super) fn surface<'a>(
-    deck: &'a Deck,
-    line: usize,
-    name: &str,
-) -> Result<(Option<usize>, bool, &'a [SurfaceRow]), Fault> {
-    let (instance, rest) = deck.names.split(name);
-    let mut scopes = deck.names.scopes_of(instance).into_iter();
-    match scopes.find_map(|scope| deck.surfaces.get(scope, rest)) {
-        Some(surface) => Ok((instance, surface.is_of_nodes, &surface.rows)),
-        None => Err(Fault::new(line, format!("there is no surface '{name}'"))),
-    }
 }

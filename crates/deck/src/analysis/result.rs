@@ -1,6 +1,6 @@
 //! What a step leaves.
 
-use super::ties;
+use super::ties::{self, TieResult};
 use super::warnings::worded;
 use fmc_contact::contact::{Adjustment, Interface, PairForces, PairOptions};
 use fmc_contact::overlap::Partner;
@@ -19,23 +19,6 @@ pub struct PairResult {
     pub area: f64,
     /// Mean pressure.
     pub pressure: f64,
-}
-
-/// A tie, as it was found where nothing is deformed.
-#[derive(Clone, Debug, PartialEq)]
-pub struct TieResult {
-    /// Names of both bodies.
-    pub names: [String; 2],
-    /// How far apart faces may be that are tied.
-    pub reach: f64,
-    /// What is tied, in area (2D: length).
-    pub area: f64,
-    /// Largest gap that is kept.
-    pub gap: f64,
-    /// Nodes of the side that holds.
-    pub nodes: usize,
-    /// Facets of that side whose corners are all tied.
-    pub facets: usize,
 }
 
 /// The end of a step.

@@ -189,7 +189,7 @@ impl<const D: usize> Kept<D> {
 
 /// What is wrong with a tie, at its line.
 fn untied(error: &StaticsError, pairs: &Pairs, names: &[String]) -> Option<Fault> {
-    let StaticsError::Contact(fmc_contact::Error::Untied { bodies, distances: [reach, nearest] }) = error else {
+    let StaticsError::Contact(fmc_contact::Error::Untied { bodies, distances: [reach, nearest], .. }) = error else {
         return None;
     };
     let [a, b] = bodies.map(|body| names.get(body).map_or("", String::as_str));

@@ -2,9 +2,9 @@
 
 use super::Bodies;
 use super::facets::corner_count;
-use super::pairs::surface;
+use super::surfaces::{face_number, no_face, surface};
 use crate::Fault;
-use crate::read::{Deck, Kind, Load, LoadKind, SurfaceRow, face_corners};
+use crate::read::{Deck, Kind, Load, LoadKind, face_corners};
 use fmc_solid::fem::Face;
 use std::collections::BTreeMap;
 
@@ -72,26 +72,6 @@ fn faces_of<const D: usize>(
         Ok(key)
     };
     deck.names.find(Kind::Cell, instance, set, line)?.into_iter().map(of).collect()
-}
-
-/// The number of a face `S1`, `S2`, … of a cell, from 0.
-pub(super) fn face_number(deck: &Deck, cell: usize, row: &SurfaceRow) -> Result<usize, Fault> {
-    let number = row.face.strip_prefix('S').and_then(|face| face.parse::<usize>().ok());
-    let count = deck.mesh.cells().nth(cell).map_or(0, |(cell_type, ..)| face_corners(cell_type).len());
-    match number {
-        Some(number @ 1..) if number <= count => Ok(number - 1),
-        _ => Err(no_face(deck, cell, row.line, 'S', &row.face)),
-    }
-}
-
-fn no_face(deck: &Deck, cell: usize, line: usize, letter: char, face: &str) -> Fault {
-    let count = deck.mesh.cells().nth(cell).map_or(0, |(cell_type, ..)| face_corners(cell_type).len());
-    let label = deck.mesh.cells().nth(cell).map_or(0, |(_, _, label, _)| label);
-    let kind = &deck.elements[cell].kind;
-    Fault::new(
-        line,
-        format!("element {label} of type {kind} has no face {face}; its faces are {letter}1 to {letter}{count}"),
-    )
 }
 
 fn on_surface<const D: usize>(deck: &Deck, bodies: Bodies<D>, load: &Load) -> Result<Vec<Vec<u32>>, Fault> {

@@ -2,13 +2,29 @@
 
 use super::Bodies;
 use super::facets::{area, corner_count};
-use super::result::TieResult;
 use fmc_contact::contact::Interface;
 use fmc_solid::fem::{Face, Model};
 use fmc_solid::statics::{Equilibrium, StaticsError};
 
 /// Reach of ties without POSITION TOLERANCE, in sizes of facets.
 const REACH: f64 = 0.1;
+
+/// A tie, as it was found where nothing is deformed.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TieResult {
+    /// Names of both bodies.
+    pub names: [String; 2],
+    /// How far apart faces may be that are tied.
+    pub reach: f64,
+    /// What is tied, in area (2D: length).
+    pub area: f64,
+    /// Largest gap that is kept.
+    pub gap: f64,
+    /// Nodes of the side that holds.
+    pub nodes: usize,
+    /// Facets of that side whose corners are all tied.
+    pub facets: usize,
+}
 
 /// The reach of a tie that has none: a tenth of the size of the larger facets.
 pub(super) fn reach<const D: usize>(bodies: Bodies<D>, pair: [usize; 2]) -> f64 {

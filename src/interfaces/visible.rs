@@ -12,42 +12,6 @@ use crate::geometry::aabb::Aabb;
 use crate::geometry::convex_piece::{Corners, cut, place, value};
 use crate::geometry::facet::area_vector;
 use crate::geometry::quadrature::for_each_simplex;
-use crate::geometry::tree::Tree;
-use std::collections::BTreeMap;
-
-/// The facets of two bodies, to be found by place.
-pub(super) struct Between<const D: usize> {
-    /// Numbers in the surface, ascending, and to which sides they belong: a bit each, both where a body faces itself.
-    facets: Vec<(usize, u8)>,
-    boxes: Vec<Aabb<D>>,
-    tree: Tree<D>,
-}
-
-impl<const D: usize> Between<D> {
-    pub(super) fn new(sides: &[Vec<usize>; 2], corners: impl Fn(usize) -> [Vector<D>; D]) -> Self {
-        let mut facets = BTreeMap::<usize, u8>::new();
-        for (list, side) in sides.iter().zip([1, 2]) {
-            list.iter().for_each(|facet| *facets.entry(*facet).or_default() |= side);
-        }
-        let boxes: Vec<_> = facets.keys().map(|facet| Aabb::of(&corners(*facet))).collect();
-        let tree = Tree::new(&boxes);
-        Self { facets: facets.into_iter().collect(), boxes, tree }
-    }
-
-    /// The sides of a facet.
-    fn sides(&self, facet: usize) -> u8 {
-        self.facets.binary_search_by_key(&facet, |(facet, _)| *facet).map_or(0, |found| self.facets[found].1)
-    }
-
-    /// Those whose boxes meet a region, ascending.
-    fn near(&self, region: &Aabb<D>) -> Vec<(usize, u8)> {
-        let mut found = Vec::new();
-        self.tree.visit(|aabb| aabb.meets(region), |item| found.push(item as usize));
-        found.retain(|item| self.boxes[*item].meets(region));
-        found.sort_unstable();
-        found.into_iter().map(|item| self.facets[item]).collect()
-    }
-}
 
 impl<const D: usize> Facing<'_, D> {
     /// The parts of a piece of the first facet, whose corners and normal these are, from which nothing hides the second, the gap being
@@ -65,9 +29,9 @@ impl<const D: usize> Facing<'_, D> {
         }
         let ends = piece.iter().flat_map(|w| [place(x, w), place(x, w) + n * value(w, gaps)]);
         let around = Aabb::of(&ends.collect::<Vec<_>>()).inflated(self.rounding);
-        let sides = [here, there].map(|facet| self.between.sides(facet));
+        let sides = [here, there].map(|facet| self.near_facets.sides(facet));
         let (mut over_gaps, mut leaving, mut entering) = (Vec::new(), Vec::new(), Vec::new());
-        for (facet, side) in self.between.near(&around) {
+        for (facet, side) in self.near_facets.near(&around) {
             if facet == here || facet == there {
                 continue;
             }
