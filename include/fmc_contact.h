@@ -944,7 +944,8 @@ typedef struct {
   // A value of `fmc_softening`, with `FMC_INTERFACE_COHESIVE`. Default `FMC_SOFTENING_LINEAR`.
   int32_t softening;
   // How far apart faces that belong together may be, or how far they may overlap, a length, with `FMC_INTERFACE_TIED`,
-  // `FMC_INTERFACE_COHESIVE` and `FMC_INTERFACE_NO_SEPARATION`; 0, the default: a tenth of the larger facets.
+  // `FMC_INTERFACE_COHESIVE` and `FMC_INTERFACE_NO_SEPARATION`; 0, the default: a tenth of the mean facet of the body with
+  // the larger facets, all its faces included.
   double reach;
   // With `FMC_INTERFACE_COHESIVE`: traction at which damage begins in pure opening, positive.
   double normal_strength;
