@@ -73,5 +73,5 @@ fn main() {
             figures.push((format!("{name} {threads}"), of_count));
         }
     }
-    keep("threads", figures.into_iter());
+    keep("threads", figures);
 }
