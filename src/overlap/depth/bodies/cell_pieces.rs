@@ -14,6 +14,9 @@ use rustc_hash::FxHashSet;
 const NEAR: f64 = 1e-9;
 const DIGITS: f64 = 4.0;
 
+/// Cells whose pieces one thread finds at a time.
+const CHUNK: usize = 256;
+
 /// Pieces on which the depth of a body is linear, to be found by place.
 pub(crate) struct CellPieces<const D: usize> {
     pub(crate) pieces: Vec<DepthPiece<D>>,
@@ -35,28 +38,47 @@ impl<const D: usize> CellPieces<D> {
         bounds: Option<&Bounds<D>>,
         clearance: f64,
     ) -> Self {
-        let (surface, coords) = (pair.surface, pair.coords);
-        let (mut pieces, mut boxes) = (Vec::new(), Vec::new());
-        for cell in cells_in(surface, cells, field, coords, body, (facets, region), bounds) {
-            field.for_each_piece(cells, cell as usize, coords, |piece| {
-                let corners = &piece.corners[..=D];
-                let mut aabb = Aabb::of(corners);
-                if let (Some(bounds), true) = (bounds, aabb.meets(region)) {
-                    aabb = bounds.box_of_part(corners);
-                }
-                if aabb.meets(region) && !aabb.is_empty() {
-                    pieces.push(piece.lowered(clearance));
-                    boxes.push(aabb);
-                }
-            });
+        let (surface, coords, rounding) = (pair.surface, pair.coords, region.rounding());
+        let of_cells = |some: &[u32]| {
+            let mut found = Vec::new();
+            for &cell in some {
+                field.for_each_piece(cells, cell as usize, coords, |piece| {
+                    let corners = &piece.corners[..=D];
+                    let mut aabb = Aabb::of(corners);
+                    if let (Some(bounds), true) = (bounds, aabb.meets(region)) {
+                        aabb = bounds.box_of_part(corners);
+                    }
+                    if aabb.meets(region) && !aabb.is_empty() {
+                        let piece = piece.lowered(clearance);
+                        found.push((near(&piece, rounding), aabb, piece));
+                    }
+                });
+            }
+            found
+        };
+        let all = cells_in(surface, cells, field, coords, body, (facets, region), bounds);
+        let found = pair.on_threads(&all, CHUNK, of_cells);
+        let count = found.iter().map(Vec::len).sum();
+        let mut all = Self {
+            pieces: Vec::with_capacity(count),
+            boxes: Vec::with_capacity(count),
+            tree: Tree::new(&[]),
+            near: Vec::with_capacity(count),
+        };
+        for (near, aabb, piece) in found.into_iter().flatten() {
+            all.near.push(near);
+            all.boxes.push(aabb);
+            all.pieces.push(piece);
         }
-        let (tree, rounding) = (Tree::new(&boxes), region.rounding());
-        let near = pieces.iter().map(|piece: &DepthPiece<D>| {
-            let steepest = piece.slopes[..=D].iter().fold(0.0f64, |most, slope| most.max(slope.norm_squared()));
-            (DIGITS * rounding * steepest.sqrt()).max(NEAR)
-        });
-        Self { near: near.collect(), pieces, boxes, tree }
+        all.tree = Tree::new(&all.boxes);
+        all
     }
+}
+
+/// Barycentric coordinates of a piece that may be rounding.
+fn near<const D: usize>(piece: &DepthPiece<D>, rounding: f64) -> f64 {
+    let steepest = piece.slopes[..=D].iter().fold(0.0f64, |most, slope| most.max(slope.norm_squared()));
+    (DIGITS * rounding * steepest.sqrt()).max(NEAR)
 }
 
 /// Cells of one body whose boxes meet `region` and that the bounds may hold a part of, ascending.
