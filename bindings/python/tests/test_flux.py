@@ -79,7 +79,7 @@ def test_index_base_changes_nothing():
 def test_heat_of_friction_is_the_dissipation():
     contact, coords, is_above = squares(-0.01, friction_coefficient=0.3)
     moved = coords + np.where(is_above[:, None], [0.1, 0.0], 0.0)
-    with pytest.raises(NoStepError, match="a step has to begin"):
+    with pytest.raises(NoStepError, match="no step has begun"):
         contact.friction_heat(moved)
     without = squares(-0.01)[0]
     assert not without.friction_heat(moved).nodes.any()
