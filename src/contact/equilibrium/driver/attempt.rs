@@ -41,8 +41,8 @@ pub(super) async fn equilibrium<const D: usize>(
     if search.is_at_rest(x).await? {
         return balanced(search, x).await;
     }
-    if let Some(enough) = search.unloaded.take()
-        && let Some((state, verdict)) = apart(search, x, enough).await?
+    if let Some(unloaded) = search.unloaded.take()
+        && let Some((state, verdict)) = apart(search, x, unloaded).await?
     {
         return Ok(Reached { state, verdict, way: Way::Nearest });
     }

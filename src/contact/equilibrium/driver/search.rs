@@ -9,6 +9,7 @@ use super::options::DriverOptions;
 use super::patches::Patches;
 use super::state::State;
 use super::trouble::{Trouble, Unheld};
+use super::unloaded::Unloaded;
 use super::updates::Updates;
 use std::sync::Arc;
 
@@ -23,8 +24,8 @@ pub(super) struct Search<const D: usize> {
     pub(super) patches: Option<Patches>,
     pub(super) options: DriverOptions,
     pub(super) has_friction: bool,
-    /// Where the load of the step before is gone: the residual that matters to nobody.
-    pub(super) unloaded: Option<f64>,
+    /// Where the load of the step before is gone.
+    pub(super) unloaded: Option<Unloaded>,
     /// Bodies that nothing holds where they have come to rest.
     pub(super) free: Vec<Unheld>,
     /// What the user should know.

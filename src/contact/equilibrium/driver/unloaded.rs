@@ -4,14 +4,14 @@
 //! they are by this way: they are relaxed without contact, and then moved out of what they overlap.
 
 use super::balance::Verdict;
-use super::elastic::undeformed;
+use super::elastic::{deformed, undeformed};
 use super::host::System;
 use super::quadratic::Quadratic;
 use super::rows::Rows;
 use super::search::Search;
 use super::state::State;
 use super::trouble::Trouble;
-use super::unknowns::moved;
+use super::unknowns::{largest, moved};
 use crate::Error;
 use crate::contact::evaluation::Contact;
 use crate::contact::tangents::TangentPart;
@@ -29,9 +29,21 @@ const SOFT: f64 = 1e-10;
 /// Gap that is left, by the thinnest body.
 const CLEAR: f64 = 1e-9;
 
-/// The residual that matters to nobody, if bodies are in equilibrium undeformed; it is measured by the forces of the equilibrium where a step
-/// begins, which was another.
-pub(super) async fn is_gone<const D: usize>(search: &Search<D>, start: &State<D>) -> Result<Option<f64>, Trouble> {
+/// How far bodies may be moved out of one another, by what the load had deformed them, for every body: it was 1.5 at most in stacks, and bodies
+/// that overlap undeformed are pressed.
+const FARTHER: f64 = 4.0;
+
+/// What is known where a load is gone.
+#[derive(Clone, Copy)]
+pub(super) struct Unloaded {
+    /// The residual that matters to nobody, by the forces of the equilibrium where a step begins, which was another.
+    enough: f64,
+    /// How far bodies may be moved out of one another.
+    farthest: f64,
+}
+
+/// Whether bodies are in equilibrium undeformed.
+pub(super) async fn is_gone<const D: usize>(search: &Search<D>, start: &State<D>) -> Result<Option<Unloaded>, Trouble> {
     let host = &search.host;
     let enough = search.options.tolerance * host.unknowns.free_norm(&start.forces);
     if start.norm(host) <= enough {
@@ -39,7 +51,11 @@ pub(super) async fn is_gone<const D: usize>(search: &Search<D>, start: &State<D>
     }
     let Some(undeformed) = undeformed(host, &start.x).await else { return Ok(None) };
     match host.forces(&undeformed, false).await {
-        Ok((forces, _)) => Ok(Some(enough).filter(|enough| host.unknowns.free_norm(&forces) <= *enough)),
+        Ok((forces, _)) if host.unknowns.free_norm(&forces) <= enough => {
+            let (_, deformed) = deformed(host, &start.x).await?;
+            Ok(Some(Unloaded { enough, farthest: FARTHER * search.assembly.rows.len() as f64 * deformed }))
+        }
+        Ok(_) => Ok(None),
         Err(Trouble::Host(_)) => Ok(None),
         Err(other) => Err(other),
     }
@@ -49,7 +65,7 @@ pub(super) async fn is_gone<const D: usize>(search: &Search<D>, start: &State<D>
 pub(super) async fn apart<const D: usize>(
     search: &mut Search<D>,
     start: &[f64],
-    enough: f64,
+    unloaded: Unloaded,
 ) -> Result<Option<(State<D>, Verdict)>, Trouble> {
     let let_go = |contact: &mut Contact<D>| {
         let before = (contact.multipliers(), contact.ties.multipliers(), contact.glides.clone());
@@ -57,7 +73,7 @@ pub(super) async fn apart<const D: usize>(
         before
     };
     let (multipliers, of_ties, glides) = search.host.contact(let_go).await;
-    match untouched(search, start, enough).await {
+    match untouched(search, start, unloaded).await {
         Ok(Some(x)) => {
             let state = State::at(&search.host, x, true).await?;
             search.balance.again();
@@ -83,9 +99,9 @@ pub(super) async fn apart<const D: usize>(
 async fn untouched<const D: usize>(
     search: &Search<D>,
     start: &[f64],
-    enough: f64,
+    Unloaded { enough, farthest }: Unloaded,
 ) -> Result<Option<Vec<f64>>, Trouble> {
-    let mut x = start.to_vec();
+    let (mut x, mut way) = (start.to_vec(), 0.0);
     for round in 0..MOST {
         let Some(at) = relaxed(search, x, enough).await? else { return Ok(None) };
         let state = State::at(&search.host, at, false).await?;
@@ -95,6 +111,10 @@ async fn untouched<const D: usize>(
         }
         let clear = if round == 0 { None } else { Some(state.contact.penetration) };
         let Some(step) = way_out(search, &state.x, clear).await? else { return Ok(None) };
+        way += largest(&step);
+        if way > farthest {
+            return Ok(None);
+        }
         x = moved(&state.x, 1.0, &step);
     }
     Ok(None)
