@@ -9,7 +9,6 @@ use super::options::DriverOptions;
 use super::patches::Patches;
 use super::state::State;
 use super::trouble::{Trouble, Unheld};
-use super::unloaded::Unloaded;
 use super::updates::Updates;
 use std::sync::Arc;
 
@@ -30,6 +29,15 @@ pub(super) struct Search<const D: usize> {
     pub(super) free: Vec<Unheld>,
     /// What the user should know.
     pub(super) warnings: Vec<String>,
+}
+
+/// What is known where a load is gone.
+#[derive(Clone, Copy)]
+pub(super) struct Unloaded {
+    /// The residual that matters to nobody, by the forces of the equilibrium where a step begins, which was another.
+    pub(super) enough: f64,
+    /// How far bodies may be moved out of one another.
+    pub(super) farthest: f64,
 }
 
 impl<const D: usize> Search<D> {

@@ -8,7 +8,7 @@ use super::elastic::{deformed, undeformed};
 use super::host::System;
 use super::quadratic::Quadratic;
 use super::rows::Rows;
-use super::search::Search;
+use super::search::{Search, Unloaded};
 use super::state::State;
 use super::trouble::Trouble;
 use super::unknowns::{largest, moved};
@@ -32,15 +32,6 @@ const CLEAR: f64 = 1e-9;
 /// How far bodies may be moved out of one another, by what the load had deformed them, for every body: it was 1.5 at most in stacks, and bodies
 /// that overlap undeformed are pressed.
 const FARTHER: f64 = 4.0;
-
-/// What is known where a load is gone.
-#[derive(Clone, Copy)]
-pub(super) struct Unloaded {
-    /// The residual that matters to nobody, by the forces of the equilibrium where a step begins, which was another.
-    enough: f64,
-    /// How far bodies may be moved out of one another.
-    farthest: f64,
-}
 
 /// Whether bodies are in equilibrium undeformed.
 pub(super) async fn is_gone<const D: usize>(search: &Search<D>, start: &State<D>) -> Result<Option<Unloaded>, Trouble> {
