@@ -96,17 +96,20 @@ async fn untouched<const D: usize>(
     for round in 0..MOST {
         let Some(at) = relaxed(search, x, enough).await? else { return Ok(None) };
         let state = State::at(&search.host, at, false).await?;
-        if state.norm(&search.host) <= enough {
-            let is_free = search.allowed(start, &moved(&state.x, -1.0, start)).await? == 1.0;
-            return Ok(is_free.then_some(state.x));
-        }
-        let clear = if round == 0 { None } else { Some(state.contact.penetration) };
-        let Some(step) = way_out(search, &state.x, clear).await? else { return Ok(None) };
-        way += largest(&step);
-        if way > farthest {
-            return Ok(None);
-        }
-        x = moved(&state.x, 1.0, &step);
+        let is_at_rest = state.norm(&search.host) <= enough;
+        let step = match is_at_rest && state.contact.contact_area == 0.0 {
+            true => None,
+            false => way_out(search, &state.x, (round > 0).then_some(state.contact.penetration)).await?,
+        };
+        way += step.as_ref().map_or(0.0, |step| largest(step));
+        x = match step.filter(|_| way <= farthest && round + 1 < MOST) {
+            Some(step) => moved(&state.x, 1.0, &step),
+            None if is_at_rest => {
+                let is_free = search.allowed(start, &moved(&state.x, -1.0, start)).await? == 1.0;
+                return Ok(is_free.then_some(state.x));
+            }
+            None => return Ok(None),
+        };
     }
     Ok(None)
 }
@@ -149,6 +152,9 @@ async fn way_out<const D: usize>(
     beyond: Option<f64>,
 ) -> Result<Option<Vec<f64>>, Trouble> {
     let Search { host, assembly, motions, .. } = search;
+    if motions.is_empty() {
+        return Ok(None);
+    }
     let Some(rows) = Rows::near(host, x, 0.25 * assembly.thinnest()).await? else { return Ok(None) };
     let (mean, turn) = motions.ways(host, assembly);
     let changes: Vec<Vec<f64>> = motions.fields.iter().map(|field| rows.along(field)).collect();
