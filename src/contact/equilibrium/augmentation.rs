@@ -33,6 +33,9 @@ pub struct Augmentation {
     pub count: usize,
 }
 
+/// Multipliers of contact and ties, and what slides with its own.
+pub(crate) type AllMultipliers<const D: usize> = (Vec<Multiplier<D>>, TieMultipliers<D>, Glides<D>);
+
 impl<const D: usize> Contact<D> {
     /// Moves surfaces out so that at the next equilibrium they press with less penetration: at every node by its mean gap
     /// ([`Self::gap_constraints`]) at `coords`, up to four times as far where the last update of a series has closed less than it moved
@@ -103,6 +106,19 @@ impl<const D: usize> Contact<D> {
         let points = self.mesh.points(coords)?;
         let found = self.glides.moved_on(&self.mesh, self.method.weighting(), &points)?;
         found.updated(&points, |pair| self.stiffness_of_pair(pair))
+    }
+
+    /// Those of contact and interfaces, to be put back.
+    pub(crate) fn all_multipliers(&self) -> AllMultipliers<D> {
+        (self.multipliers(), self.ties.multipliers(), self.glides.clone())
+    }
+
+    /// Puts back what was there before.
+    pub(crate) fn put_back_multipliers(&mut self, (of_contact, of_ties, glides): AllMultipliers<D>) {
+        // They were accepted then, and are now.
+        let _ = self.set_multipliers(&of_contact);
+        self.ties.put_back(of_ties);
+        self.glides = glides;
     }
 
     /// Leaves a part of what the multipliers press and pull with: a guess for another load.

@@ -8,7 +8,7 @@
 //! - `overlaps`: overlaps that no load explains are told;
 //! - `falling_load`: multipliers of another load fall with it;
 //! - `parts`: what is prescribed moves as far as nothing passes through anything, then the next part;
-//! - `unloaded`: bodies without load come to rest without contact, if they do not meet there;
+//! - `unloaded`: bodies whose load is gone come to rest undeformed beside one another, if they can;
 //! - `levels`, `nearest` (with `secant`), `downhill`: the equilibrium, each from the same start where the one before has not found it;
 //! - `updates`: multipliers, until what is left of the penetration does not matter;
 //! - `patches`: those of the law `fiber`, where they are not left to the host;

@@ -148,13 +148,19 @@ kernel! { /// Patches of all pairs, for all facets.
 patches = patches_in() -> patch_list }
 
 fn evaluate_in<const D: usize>(contact: &Contact<D>, coords: &Points<D>) -> Result<ContactForces<D>, Error> {
-    let asked = Asked { energy: true, ..Asked::default() };
-    let (answers, tractions) = measured_pairs(contact, coords, &asked)?;
-    forces_of(contact, coords, answers.into_iter().filter_map(|answer| answer.energy), &tractions)
+    evaluate_with(contact, coords, false)
 }
 
 fn evaluate_apart_in<const D: usize>(contact: &Contact<D>, coords: &Points<D>) -> Result<ContactForces<D>, Error> {
-    let asked = Asked { energy: true, apart: true, ..Asked::default() };
+    evaluate_with(contact, coords, true)
+}
+
+fn evaluate_with<const D: usize>(
+    contact: &Contact<D>,
+    coords: &Points<D>,
+    apart: bool,
+) -> Result<ContactForces<D>, Error> {
+    let asked = Asked { energy: true, apart, ..Asked::default() };
     let (answers, tractions) = measured_pairs(contact, coords, &asked)?;
     forces_of(contact, coords, answers.into_iter().filter_map(|answer| answer.energy), &tractions)
 }

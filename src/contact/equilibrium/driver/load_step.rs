@@ -21,8 +21,7 @@ pub(super) async fn load_step<const D: usize>(asking: Asking<D>, step: LoadStep<
     let host = Host::new(asking, step.unknowns.clone());
     // A search that was left where it was may have left it.
     host.contact(|contact| contact.history.apart_at = None).await;
-    let (before, stiffened) = host.contact(|contact| (contact.multipliers(), contact.history.stiffened)).await;
-    let (of_ties, glides) = host.contact(|contact| (contact.ties.multipliers(), contact.glides.clone())).await;
+    let (before, stiffened) = host.contact(|contact| (contact.all_multipliers(), contact.history.stiffened)).await;
     let is_found = host.contact(|contact| contact.options().law.is_without_stiffness()).await;
     let mut search = match prepared(&host, &step).await {
         Ok((assembly, motions, has_friction, pressed)) => Search {
@@ -49,10 +48,7 @@ pub(super) async fn load_step<const D: usize>(asking: Asking<D>, step: LoadStep<
                 if contact.history.stiffened != stiffened {
                     let _ = contact.stiffen(stiffened / contact.history.stiffened);
                 }
-                // What was there before the step was accepted then, and is now.
-                let _ = contact.set_multipliers(&before);
-                contact.ties.put_back(of_ties);
-                contact.glides = glides;
+                contact.put_back_multipliers(before);
                 take_up(contact, begun);
             });
             undo.await;

@@ -37,17 +37,16 @@ const FARTHER: f64 = 4.0;
 pub(super) async fn is_gone<const D: usize>(search: &Search<D>, start: &State<D>) -> Result<Option<Unloaded>, Trouble> {
     let host = &search.host;
     let enough = search.options.tolerance * host.unknowns.free_norm(&start.forces);
-    if start.norm(host) <= enough {
+    let (_, deformed) = deformed(host, &start.x).await?;
+    if start.norm(host) <= enough || enough == 0.0 || deformed == 0.0 {
         return Ok(None);
     }
     let Some(undeformed) = undeformed(host, &start.x).await else { return Ok(None) };
     match host.forces(&undeformed, false).await {
         Ok((forces, _)) if host.unknowns.free_norm(&forces) <= enough => {
-            let (_, deformed) = deformed(host, &start.x).await?;
             Ok(Some(Unloaded { enough, farthest: FARTHER * search.assembly.rows.len() as f64 * deformed }))
         }
-        Ok(_) => Ok(None),
-        Err(Trouble::Host(_)) => Ok(None),
+        Ok(_) | Err(Trouble::Host(_)) => Ok(None),
         Err(other) => Err(other),
     }
 }
@@ -59,14 +58,13 @@ pub(super) async fn apart<const D: usize>(
     unloaded: Unloaded,
 ) -> Result<Option<(State<D>, Verdict)>, Trouble> {
     let let_go = |contact: &mut Contact<D>| {
-        let before = (contact.multipliers(), contact.ties.multipliers(), contact.glides.clone());
+        let before = contact.all_multipliers();
         contact.scale_multipliers(0.0);
         before
     };
-    let (multipliers, of_ties, glides) = search.host.contact(let_go).await;
+    let before = search.host.contact(let_go).await;
     match untouched(search, start, unloaded).await {
-        Ok(Some(x)) => {
-            let state = State::at(&search.host, x, true).await?;
+        Ok(Some(state)) => {
             search.balance.again();
             let verdict = search.balance.judge(&search.host, &search.assembly, &state).await?;
             if verdict != Verdict::Not {
@@ -76,13 +74,7 @@ pub(super) async fn apart<const D: usize>(
         Ok(None) | Err(Trouble::Host(_) | Trouble::Contact(_)) => {}
         Err(other) => return Err(other),
     }
-    let put_back = search.host.contact(move |contact| {
-        // They were there before.
-        let _ = contact.set_multipliers(&multipliers);
-        contact.ties.put_back(of_ties);
-        contact.glides = glides;
-    });
-    put_back.await;
+    search.host.contact(move |contact| contact.put_back_multipliers(before)).await;
     Ok(None)
 }
 
@@ -91,11 +83,11 @@ async fn untouched<const D: usize>(
     search: &Search<D>,
     start: &[f64],
     Unloaded { enough, farthest }: Unloaded,
-) -> Result<Option<Vec<f64>>, Trouble> {
+) -> Result<Option<State<D>>, Trouble> {
     let (mut x, mut way) = (start.to_vec(), 0.0);
     for round in 0..MOST {
-        let Some(at) = relaxed(search, x, enough).await? else { return Ok(None) };
-        let state = State::at(&search.host, at, false).await?;
+        let Some(state) = relaxed(search, x, enough).await? else { return Ok(None) };
+        let state = state.again(&search.host).await?;
         let is_at_rest = state.norm(&search.host) <= enough;
         let step = match is_at_rest && state.contact.contact_area == 0.0 {
             true => None,
@@ -106,7 +98,7 @@ async fn untouched<const D: usize>(
             Some(step) => moved(&state.x, 1.0, &step),
             None if is_at_rest => {
                 let is_free = search.allowed(start, &moved(&state.x, -1.0, start)).await? == 1.0;
-                return Ok(is_free.then_some(state.x));
+                return Ok(is_free.then_some(state));
             }
             None => return Ok(None),
         };
@@ -119,12 +111,12 @@ async fn relaxed<const D: usize>(
     search: &Search<D>,
     mut x: Vec<f64>,
     enough: f64,
-) -> Result<Option<Vec<f64>>, Trouble> {
+) -> Result<Option<State<D>>, Trouble> {
     let shift = if search.motions.is_empty() { 0.0 } else { SHIFT };
     for tried in 0..=MOST {
         let state = State::apart(&search.host, x).await?;
         if state.norm(&search.host) <= enough {
-            return Ok(Some(state.x));
+            return Ok(Some(state));
         }
         if tried == MOST || !search.may_go_on() {
             break;
