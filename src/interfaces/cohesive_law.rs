@@ -59,7 +59,7 @@ pub enum Softening {
 
 impl Cohesive {
     /// The exponent by default.
-    pub const EXPONENT: f64 = 2.0;
+    pub(crate) const EXPONENT: f64 = 2.0;
 
     /// One that breaks alike in opening and in sliding, with a linear softening and the default stiffness.
     pub fn new(strength: f64, energy: f64) -> Self {
