@@ -50,6 +50,10 @@ fn on_points<const D: usize, T: OntoNodes>(
     let shifted = is_shifted.then(|| {
         let mut points = unshifted.to_vec();
         contact.history.multipliers.add_to(&mut points);
+        if !contact.method.weighting().is_plain() {
+            // A surface is moved out no farther than to the axis, and along it there: normals of its facets alone do not know of it.
+            points.iter_mut().zip(unshifted.iter()).for_each(|(point, at)| point[0] = point[0].max(at[0].min(0.0)));
+        }
         points
     });
     let found = work(&Points { measured: shifted.as_deref().unwrap_or(&unshifted), unshifted: &unshifted });

@@ -12,7 +12,7 @@ pub(super) struct Assembly<const D: usize> {
     pub(super) body: Vec<Option<usize>>,
     /// Rows of every body.
     pub(super) rows: Vec<Vec<usize>>,
-    /// Area that every row stands for on the surface.
+    /// Area that every row stands for on the surface; with axisymmetry that of rings, as in the host's matrix.
     pub(super) area: Vec<f64>,
     /// Mean outward unit normal at every row on the surface, else zero.
     pub(super) normal: Vec<Vector<D>>,
@@ -44,7 +44,7 @@ impl<const D: usize> Assembly<D> {
         let (mut area_of, mut normal_of) = (vec![0.0; points.len()], vec![Vector::<D>::zeros(); points.len()]);
         let (mut surfaces, mut volumes) = (vec![0.0; body_count], vec![0.0; body_count]);
         let mut sizes = vec![Vec::new(); body_count];
-        let facets = contact.boundary_facets();
+        let (facets, weighting) = (contact.boundary_facets(), contact.method.weighting());
         let origin = facets.first().map_or_else(Vector::zeros, |facet| points[facet.nodes[0] as usize]);
         for facet in &facets {
             let nodes: Vec<usize> = facet.nodes.iter().map(|&n| n as usize).collect();
@@ -54,9 +54,10 @@ impl<const D: usize> Assembly<D> {
             let corner = |k: usize| if is_quarter && k == D - 1 { centre } else { points[nodes[k]] };
             let along = area_vector(&std::array::from_fn(corner));
             let area = along.norm();
+            let of_rings = area * weighting.at(&centre);
             let share = if is_quarter { &nodes[..2] } else { &nodes[..] };
             for &n in share {
-                area_of[n] += area / share.len() as f64;
+                area_of[n] += of_rings / share.len() as f64;
                 normal_of[n] += along;
                 of_point[n].get_or_insert(facet.body);
             }
