@@ -26,6 +26,7 @@ test: tools
 	$(SUITE_OF) "examples in the docs" $(CARGO) test --workspace --release --doc
 	$(MAKE) -j2 -O hosts fuzz BUILD_FMC=
 	$(MAKE) python
+	$(SUITE_OF) "site" $(MAKE) site-check
 	@.ci/suites
 
 # Most of it, like most of `hosts`, has one thread: side by side they take little more than the longer of the two.

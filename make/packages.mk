@@ -3,7 +3,7 @@
 # make deb       packages for Debian in out/deb: library, development files, Python, command
 # make wheel     the Python package as a wheel in out/wheel, for any Linux since glibc 2.17
 # make try-deb, try-install, try-wheel  packages, `make install` with the crate, and wheel, used in bare root file systems of $(DEBIANS)
-# make packages  all of these, built and tried; the recipes for conda-forge and Spack, read; the book
+# make packages  all of these, built and tried; the recipes for conda-forge and Spack, read; the site with its references
 
 # Packages for Debian, of the libraries in the folder LIBRARIES and the program COMMAND where those are given.
 DEB_TOOLS = dpkg-shlibdeps:dpkg-dev lintian:lintian

@@ -1,14 +1,16 @@
-# Figures, pages, the book, and what is generated from the header.
+# Figures, pages, the site, and what is generated from the header.
 #
 # make bench     benchmarks
 # make figures   runs the cases that pages name; writes docs/results.json, from it the tables of README and docs, and docs/gallery.md
 # make header    include/fmc_contact.h from src/capi, and from it what Fortran, Python and the fuzz targets declare, and docs/c-reference.md
-# make book      the documentation as pages that are read in a browser, with the references of C, Python and Rust, in out/book
+# make site      the documentation as a static site in out/site: pages, suite, notebook, a page to try; nothing is compiled
+# make site-check   links, every page in a browser, and the page to try against the library; below a minute after a build
+# make book      the site with the references of Python and Rust, checked
 
 bench:
 	$(CARGO) bench -p fmc-benchmarks
 
-# What the pages link to outside of docs is not in the book: there the links lead to the repository, those of a release to its tag.
+# What the pages link to outside of docs is not in the site: there the links lead to the repository, those of a release to its tag.
 REPOSITORY := $(shell sed -n 's/^repository = "\(.*\)"/\1/p' Cargo.toml)
 REVISION = $(or $(shell git describe --tags --exact-match 2>/dev/null),main)
 
@@ -24,24 +26,38 @@ figures-check:
 	python3 benchmarks/results check
 	.ci/c-reference check
 
-# Beside the pages the references of Python, by pdoc, and of Rust. mdbook is fetched where it is missing, into target/.
-BOOK_TOOLS = $(abspath $(TARGET))/book-tools
-MDBOOK = $(or $(shell command -v mdbook),$(BOOK_TOOLS)/bin/mdbook)
-REFERENCE = out/book/reference
+# The pages, the suite, the notebook and a page to try, in one style; seconds, as nothing is compiled. Formulas become MathML.
+SITE = out/site
+SITE_TOOLS = $(abspath $(TARGET))/site-tools
+
+site:
+	@$(call ENVIRONMENT,$(SITE_TOOLS))
+	@$(SITE_TOOLS)/bin/python -m pip install -q 'markdown-it-py>=3,<5' 'Pygments>=2.17' 'latex2mathml>=3.77,<4'
+	PYTHONPATH=tools/site $(SITE_TOOLS)/bin/python -m fmc_site $(SITE) $(REPOSITORY) $(REVISION)
+
+# Links and anchors; every page in a browser, as wide as a telephone; the page to try, against the library.
+site-check: TOOLS = chromium:chromium
+site-check: site
+	@$(call FETCH_MISSING,$(TOOLS))
+	.ci/site-links $(SITE) $(REPOSITORY)
+	tools/site/check.py $(SITE)
+	@test -e $(LIBRARY_OF_SITE) || $(MAKE) build
+	@$(SITE_TOOLS)/bin/python -m pip install -q numpy scipy typing_extensions
+	PYTHONPATH=bindings/python/src FMC_CONTACT_LIBRARY=$(LIBRARY_OF_SITE) $(SITE_TOOLS)/bin/python tools/site/compare.py $(SITE)
+
+LIBRARY_OF_SITE = $(or $(FMC_CONTACT_LIBRARY),$(abspath $(BUILT))/libfmc_contact.so)
+
+# Beside the pages the references of Python, by pdoc, and of Rust, in $(SITE)/reference.
+REFERENCE = $(SITE)/reference
 
 book:
-	@test -x $(MDBOOK) || $(CARGO) install --locked --root $(BOOK_TOOLS) --target-dir $(BOOK_TOOLS)/build mdbook
-	$(MDBOOK) build docs
-	sed -i -e 's|href="\.\./README\.html">fmc-contact<|href="index.html">fmc-contact<|g' -e 's|\(href="\.\./[^"]*\)\.html|\1.md|g' \
-	  -e 's|href="\.\./\([^"]*"\)|href="$(REPOSITORY)/tree/$(REVISION)/\1|g' out/book/*.html
 	RUSTDOCFLAGS="-D warnings" $(CARGO) doc -p fmc-contact --no-deps
 	rm -rf $(REFERENCE) && mkdir -p $(REFERENCE) && cp -r $(TARGET)/doc $(REFERENCE)/rust
-	@$(call ENVIRONMENT,$(BOOK_TOOLS)/python)
-	$(BOOK_TOOLS)/python/bin/python -m pip install -q pdoc numpy scipy typing_extensions
-	@test -e $(BUILT)/libfmc_contact.so || $(MAKE) build
-	PYTHONPATH=bindings/python/src FMC_CONTACT_LIBRARY=$(abspath $(BUILT))/libfmc_contact.so \
-	  $(BOOK_TOOLS)/python/bin/python .ci/python-reference $(REFERENCE)/python
-	.ci/book-links out/book $(REPOSITORY)
+	@$(call ENVIRONMENT,$(SITE_TOOLS))
+	$(SITE_TOOLS)/bin/python -m pip install -q pdoc numpy scipy typing_extensions
+	@test -e $(LIBRARY_OF_SITE) || $(MAKE) build
+	PYTHONPATH=bindings/python/src FMC_CONTACT_LIBRARY=$(LIBRARY_OF_SITE) $(SITE_TOOLS)/bin/python .ci/python-reference $(REFERENCE)/python
+	$(MAKE) site-check
 
 # One build, by default that of the tests; CARGO_FLAGS="--profile quick" takes less.
 CARGO_FLAGS ?= --release
