@@ -3,7 +3,9 @@
 # make deb       packages for Debian in out/deb: library, development files, Python, command
 # make wheel     the Python package as a wheel in out/wheel, for any Linux since glibc 2.17
 # make try-deb, try-install, try-wheel  packages, `make install` with the crate, and wheel, used in bare root file systems of $(DEBIANS)
-# make packages  all of these, built and tried; the recipes for conda-forge and Spack, read; the site with its references
+# make sdist     the source distribution of the Python package in out/sdist; make try-sdist installs it and computes a force
+# make crate     the crate for crates.io, packed and offered to it without publishing
+# make packages  all of these, built and tried; the recipes for conda-forge, Spack and containers, read; the site with its references
 
 # Packages for Debian, of the libraries in the folder LIBRARIES and the program COMMAND where those are given.
 DEB_TOOLS = dpkg-shlibdeps:dpkg-dev lintian:lintian
@@ -61,7 +63,28 @@ try-wheel:
 	$(call IN_EACH,$(DEBIANS),wheel out/wheel $(NUMPY))
 	$(call IN_EACH,bullseye,wheel out/wheel $(NUMPY),1.20.0)
 
-# The recipes for conda-forge and Spack are read, not built; the workflows and the citation keep to their schemas.
+# For PyPI beside the wheels: checked, unpacked, and built by pip in an environment without anything else.
+sdist:
+	@$(call ENVIRONMENT,$(WHEEL_TOOLS))
+	$(WHEEL_TOOLS)/bin/python -m pip install -q 'maturin>=1.9,<2' twine
+	rm -rf out/sdist
+	cd bindings/python && $(WHEEL_TOOLS)/bin/maturin sdist --out ../../out/sdist
+	$(WHEEL_TOOLS)/bin/twine check --strict out/sdist/*.tar.gz
+
+try-sdist: sdist
+	@$(call ENVIRONMENT,$(abspath $(TARGET))/of-sdist)
+	$(abspath $(TARGET))/of-sdist/bin/python -m pip install -q --force-reinstall out/sdist/*.tar.gz
+	rm -rf $(abspath $(TARGET))/of-sdist/try && packaging/try/programs $(abspath $(TARGET))/of-sdist/try
+	cp packaging/try/first-force $(abspath $(TARGET))/of-sdist/try
+	PYTHON=$(abspath $(TARGET))/of-sdist/bin/python $(abspath $(TARGET))/of-sdist/try/first-force python
+
+# What crates.io would get, listed and packed, not built; only one crate is published.
+crate:
+	$(CARGO) package -p fmc-contact --list --allow-dirty >$(TARGET)/crate-files.txt
+	$(CARGO) package -p fmc-contact --no-verify --allow-dirty
+	$(CARGO) publish -p fmc-contact --dry-run --no-verify --allow-dirty
+
+# The recipes for conda-forge, Spack and containers are read, not built; the workflows and the citation keep to their schemas.
 recipes:
 	@$(call ENVIRONMENT,$(WHEEL_TOOLS))
 	$(WHEEL_TOOLS)/bin/python -m pip install -q py-rattler-build check-jsonschema
@@ -74,4 +97,5 @@ packages:
 	$(MAKE) deb try-deb
 	$(MAKE) try-install
 	$(MAKE) wheel try-wheel
+	$(MAKE) try-sdist crate
 	$(MAKE) recipes book
