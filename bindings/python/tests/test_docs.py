@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from fmc_contact import Contact, PartitionedContact
+from printed import differs, programs
 
 DOCS = Path(__file__).parents[3] / "docs"
 
@@ -164,7 +165,7 @@ PIECES = {
 
 
 def pieces(page):
-    return re.findall(r"^```python\n(.*?)^```", page.read_text(encoding="utf-8"), flags=re.S | re.M)
+    return [piece for piece, _ in programs(page)]
 
 
 def test_every_piece_is_known():
@@ -178,9 +179,32 @@ RUN_HERE = [(page, at) for page, known in PIECES.items() for at, piece in enumer
 @pytest.mark.parametrize(("page", "at"), RUN_HERE)
 def test_piece_runs(page, at):
     before, after = PIECES[page][at]
-    program = "\n".join([before, pieces(DOCS / page)[at], after])
+    piece, shown = programs(DOCS / page)[at]
+    program = "\n".join([before, piece, after])
     run = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, timeout=60)
     assert run.returncode == 0, run.stderr
+    if shown:
+        assert not differs(shown, run.stdout)
+
+
+# Those that run here; hosts/skfem/tests/test_docs.py has the others.
+@pytest.mark.parametrize("page", ["first-contact.md", "interfaces.md", "tutorial-friction.md", "tutorial-impact.md"])
+def test_pages_show_output(page):
+    assert programs(DOCS / page)[0][1]
+
+
+# A package that is tried without the checkout has no site.
+@pytest.mark.parametrize("page", sorted((DOCS.parent / "tools/site/pages").glob("*.md")), ids=lambda page: page.name)
+def test_pages_of_the_site(page):
+    ((program, shown),) = programs(page)
+    run = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, timeout=60)
+    assert run.returncode == 0, run.stderr
+    assert shown and not differs(shown, run.stdout)
+
+
+def test_an_output_that_differs_is_seen():
+    assert not differs("force [1.00000 2e-16]\n", "force [ 1.000001  0.0]\n")
+    assert differs("force 1.0\n", "force 1.001\n") and differs("force 1.0\n", "forces 1.0\n") and differs("a 1\n", "a 1 2\n")
 
 
 def test_attributes_that_pages_name_are_there():

@@ -5,6 +5,9 @@ import subprocess
 import sys
 from pathlib import Path
 
+sys.path.insert(0, str(Path(__file__).parents[3] / "bindings/python/tests"))
+from printed import differs, programs
+
 PAGE = Path(__file__).parents[3] / "docs" / "second-order.md"
 
 BEFORE = """
@@ -30,10 +33,10 @@ def test_elements_of_third_order():
 
 
 def test_problems_that_start_by_themselves():
-    page = PAGE.with_name("starts.md")
-    pieces = re.findall(r"```python\n(.*?)```", page.read_text(), flags=re.S)
+    pieces, shown = zip(*programs(PAGE.with_name("starts.md")))
     run = subprocess.run([sys.executable, "-c", "\n".join(pieces)], capture_output=True, text=True, timeout=300)
     assert run.returncode == 0, run.stderr
+    assert not differs("".join(shown), run.stdout)
     touching, stack, stands, falls, removed, pressure = run.stdout.splitlines()
     for told in (touching, stack):
         solves, force = told.split()
@@ -45,10 +48,10 @@ def test_problems_that_start_by_themselves():
 
 
 def test_heat():
-    page = PAGE.with_name("heat.md")
-    (program,) = re.findall(r"```python\n(.*?)```", page.read_text(), flags=re.S)
+    ((program, shown),) = programs(PAGE.with_name("heat.md"))
     run = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, timeout=100)
     assert run.returncode == 0, run.stderr
+    assert shown and not differs(shown, run.stdout)
     heat, jump = (float(number) for number in re.findall(r"\d+\.\d+", run.stdout))
     # Blocks of length 1 between walls: pressure from the mean temperature, conductance from the pressure, heat from all in series.
     flux = 50.0
@@ -62,10 +65,10 @@ def test_heat():
 
 
 def test_hertz():
-    page = PAGE.with_name("tutorial-hertz.md")
-    (program,) = re.findall(r"```python\n(.*?)```", page.read_text(), flags=re.S)
+    ((program, shown),) = programs(PAGE.with_name("tutorial-hertz.md"))
     run = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, timeout=100)
     assert run.returncode == 0, run.stderr
+    assert shown and not differs(shown, run.stdout)
     solves, force, half_width, largest, difference = (float(number) for number in re.findall(r"\d+\.?\d*(?:e-?\d+)?", run.stdout.replace("p0", "")))
     # The figures of the table.
     assert solves == 2 and abs(force - 0.004282) < 1e-6 and abs(half_width / 0.005 - 14.1) < 0.05

@@ -25,7 +25,10 @@ def code(text, language):
 
 def fence(renderer, tokens, index, options, env):
     language = (tokens[index].info.split() or [""])[0].split(",")[0]
-    return display(tokens[index].content) if language == "math" else code(tokens[index].content, language)
+    text = tokens[index].content
+    if language == "math":
+        return display(text)
+    return f'<div class="output">{code(text, "text")}</div>\n' if language == "output" else code(text, language)
 
 
 def words(renderer, tokens, index, options, env):

@@ -11,7 +11,7 @@ def as_markdown(path):
         parts.append(source if cell["cell_type"] == "markdown" else f"```python\n{source}\n```")
         printed = "".join("".join(output.get("text", "")) for output in cell.get("outputs", []))
         if printed:
-            parts.append(f'<div class="output">\n\n```text\n{printed.rstrip()}\n```\n\n</div>')
+            parts.append(f'```output\n{printed.rstrip()}\n```')
         for output in cell.get("outputs", []):
             picture = output.get("data", {}).get("image/png")
             if picture:
