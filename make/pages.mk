@@ -5,6 +5,7 @@
 # make header    include/fmc_contact.h from src/capi, and from it what Fortran, Python and the fuzz targets declare, and docs/c-reference.md
 # make site      the documentation as a static site in out/site: pages, suite, notebook, a page to try; nothing is compiled
 # make site-check   links, every page in a browser, and the page to try against the library; below a minute after a build
+# make paper     paper/paper.md as out/paper/paper.pdf, with pandoc and chromium
 # make book      the site with the references of Python and Rust, checked
 
 bench:
@@ -25,6 +26,17 @@ figures-check:
 	python3 -m unittest discover benchmarks/results
 	python3 benchmarks/results check
 	.ci/c-reference check
+	paper/check.py
+	paper/figures.py check
+
+# pandoc writes HTML with MathML, chromium prints it: no TeX is needed. JOSS builds the same paper.md with its own tools.
+PAPER_TOOLS = pandoc:pandoc chromium:chromium
+
+paper:
+	@$(call FETCH_MISSING,$(PAPER_TOOLS))
+	paper/figures.py write
+	paper/check.py
+	paper/build out/paper
 
 # The pages, the suite, the notebook and a page to try, in one style; seconds, as nothing is compiled. Formulas become MathML.
 SITE = out/site

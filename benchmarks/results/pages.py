@@ -16,7 +16,7 @@ BLOCK = re.compile(r"(<!-- begin: ([\w-]+) -->\n)(.*?)(<!-- end -->\n)", re.S)
 
 def all_pages():
     """Pages that have a block."""
-    found = [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]
+    found = [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md")), ROOT / "paper" / "paper.md"]
     return [path for path in found if "<!-- begin: " in path.read_text(encoding="utf-8")]
 
 

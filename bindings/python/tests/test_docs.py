@@ -193,10 +193,13 @@ def test_pages_show_output(page):
     assert programs(DOCS / page)[0][1]
 
 
-# A package that is tried without the checkout has no site.
-@pytest.mark.parametrize("page", sorted((DOCS.parent / "tools/site/pages").glob("*.md")), ids=lambda page: page.name)
-def test_pages_of_the_site(page):
-    ((program, shown),) = programs(page)
+OTHERS = sorted([*DOCS.parent.glob("tools/site/pages/*.md"), *DOCS.parent.glob("paper/paper.md")])
+
+
+# A package that is tried without the checkout has none of them.
+@pytest.mark.parametrize("page", OTHERS, ids=lambda page: page.name)
+def test_other_pages(page):
+    program, shown = programs(page)[0]
     run = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, timeout=60)
     assert run.returncode == 0, run.stderr
     assert shown and not differs(shown, run.stdout)
