@@ -44,8 +44,8 @@ SITE_TOOLS = $(abspath $(TARGET))/site-tools
 
 site:
 	@$(call ENVIRONMENT,$(SITE_TOOLS))
-	@$(SITE_TOOLS)/bin/python -m pip install -q 'markdown-it-py>=3,<5' 'Pygments>=2.17' 'latex2mathml>=3.77,<4'
-	PYTHONPATH=tools/site $(SITE_TOOLS)/bin/python -m fmc_site $(SITE) $(REPOSITORY) $(REVISION)
+	@$(SITE_TOOLS)/bin/python -m pip install -q 'markdown-it-py>=3,<5' 'Pygments>=2.17' 'latex2mathml>=3.77,<4' numpy scipy
+	PYTHONPATH=tools/site:suite $(SITE_TOOLS)/bin/python -m fmc_site $(SITE) $(REPOSITORY) $(REVISION)
 
 # Links and anchors; every page in a browser, as wide as a telephone; the page to try, against the library.
 site-check: TOOLS = chromium:chromium
@@ -54,7 +54,7 @@ site-check: site
 	.ci/site-links $(SITE) $(REPOSITORY)
 	tools/site/check.py $(SITE)
 	@test -e $(LIBRARY_OF_SITE) || $(MAKE) build
-	@$(SITE_TOOLS)/bin/python -m pip install -q numpy scipy typing_extensions
+	@$(SITE_TOOLS)/bin/python -m pip install -q typing_extensions
 	PYTHONPATH=bindings/python/src FMC_CONTACT_LIBRARY=$(LIBRARY_OF_SITE) $(SITE_TOOLS)/bin/python tools/site/compare.py $(SITE)
 
 LIBRARY_OF_SITE = $(or $(FMC_CONTACT_LIBRARY),$(abspath $(BUILT))/libfmc_contact.so)

@@ -15,6 +15,7 @@ from .contents import ROOT, Links, contents
 from .layout import whole
 from .markdown import Rendered
 from .notebook import as_markdown
+from .suite import problems
 
 ASSETS = ROOT / "tools/site/assets"
 
@@ -38,7 +39,9 @@ def main():
     links = Links(pages, repository, revision, (out / "reference/python").is_dir())
     words = []
     for page in pages:
-        text = as_markdown(page.source) if page.source.suffix == ".ipynb" else page.source.read_text(encoding="utf-8")
+        text = page.source.read_text(encoding="utf-8") if page.source.suffix == ".md" else as_markdown(page.source)
+        if page.name == "suite-results":
+            text += problems(text)
         rendered = Rendered(text, page.source, links)
         (out / f"{page.name}.html").write_text(whole(pages, page, rendered, repository, version), encoding="utf-8")
         words += [[page.name, page.title, *section] for section in rendered.sections]

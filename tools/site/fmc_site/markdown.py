@@ -32,7 +32,9 @@ def fence(renderer, tokens, index, options, env):
 
 
 def words(renderer, tokens, index, options, env):
-    return subscripts(html.escape(tokens[index].content, quote=False))
+    # A number stays with its unit, and with its thousands.
+    text = re.sub(r"(?<=\d) (?=%|(?:ms|s|MB|GB)\b|\d{3}\b)", "\u00a0", tokens[index].content)
+    return subscripts(html.escape(text, quote=False))
 
 
 class Rendered:
