@@ -20,6 +20,20 @@ WIDTH = 390
 # One frame after another, so that the width is the same in any chromium.
 HARNESS = """<!doctype html><meta charset="utf-8"><body style="margin:0"><script>
 const pages = PAGES, found = [];
+// The orange body is dragged down, then far away; then the keys bring it back.
+function play(view) {
+  const scene = view.document.getElementById("scene"), unit = scene.clientWidth / 6, box = scene.getBoundingClientRect();
+  const at = ([x, y]) => ({ clientX: box.left + box.width / 2 + x * unit, clientY: box.top + box.height / 2 - y * unit, bubbles: true });
+  const area = () => Number(view.document.querySelector("#numbers dd").textContent);
+  const drag = (from, to) => {
+    for (const [kind, x] of [["pointerdown", from], ["pointermove", to], ["pointerup", to]]) scene.dispatchEvent(new view.PointerEvent(kind, at(x)));
+    return area();
+  };
+  const seen = [area(), drag([0.55, 0.8], [0.55, 0.6]), drag([0.55, 0.6], [0.55, 2.6])];
+  const down = () => new view.KeyboardEvent("keydown", { key: "ArrowDown", bubbles: true });
+  for (let k = 0; k < 100; k++) scene.dispatchEvent(down());
+  return [...seen, area()];
+}
 async function look(page) {
   const frame = document.createElement("iframe");
   frame.style = "width:WIDTHpx;height:800px;border:0";
@@ -33,7 +47,8 @@ async function look(page) {
   const missing = [...text.images].filter((image) => image.complete && !image.naturalWidth).map((image) => image.src);
   const loads = view.performance.getEntriesByType("resource").map((entry) => entry.name);
   const elsewhere = loads.filter((name) => !name.startsWith(location.origin) && !name.startsWith("data:"));
-  return { page, width: text.documentElement.scrollWidth, wide: wide.slice(0, 3).map((e) => e.outerHTML.slice(0, 120)), missing, elsewhere };
+  const shown = wide.slice(0, 3).map((e) => e.outerHTML.slice(0, 120));
+  return { page, width: text.documentElement.scrollWidth, wide: shown, missing, elsewhere, areas: page === "try.html" ? play(view) : [] };
 }
 (async () => {
   for (const page of pages) found.push(await look(page));
@@ -98,6 +113,11 @@ def main():
             faults.append(f"{one['page']}: {one['width']} px wide: {one['wide']}")
         faults += [f"{one['page']}: no picture {name}" for name in one["missing"]]
         faults += [f"{one['page']}: asks for {name}" for name in one["elsewhere"]]
+    (areas,) = (one["areas"] for one in found if one["areas"])
+    first, deeper, apart, back = areas
+    # Places of events are whole pixels, each a sixtieth of a unit.
+    if not (0 < first < deeper and apart == 0 and abs(back - deeper) < 0.1 * deeper):
+        faults.append(f"try.html: dragged, the area of the overlap goes from {first} to {deeper}, {apart} and {back}")
     print("\n".join(faults) or f"{len(found)} pages opened, {WIDTH} px wide: nothing on the console, nothing to scroll sideways")
     sys.exit(bool(faults) or len(found) < 50)
 
