@@ -53,10 +53,11 @@ site-check: site
 	@$(call FETCH_MISSING,$(TOOLS))
 	.ci/site-links $(SITE) $(REPOSITORY)
 	tools/site/check.py $(SITE)
-	@test -e $(LIBRARY_OF_SITE) || $(MAKE) build
+	$(if $(FMC_CONTACT_LIBRARY),,$(MAKE) build)
 	@$(SITE_TOOLS)/bin/python -m pip install -q typing_extensions
 	PYTHONPATH=bindings/python/src FMC_CONTACT_LIBRARY=$(LIBRARY_OF_SITE) $(SITE_TOOLS)/bin/python tools/site/compare.py $(SITE)
 
+# Another library may be given; else the one of this checkout is built, in no time where it is there.
 LIBRARY_OF_SITE = $(or $(FMC_CONTACT_LIBRARY),$(abspath $(BUILT))/libfmc_contact.so)
 
 # Beside the pages the references of Python, by pdoc, and of Rust, in $(SITE)/reference.
@@ -67,7 +68,7 @@ book:
 	rm -rf $(REFERENCE) && mkdir -p $(REFERENCE) && cp -r $(TARGET)/doc $(REFERENCE)/rust
 	@$(call ENVIRONMENT,$(SITE_TOOLS))
 	$(SITE_TOOLS)/bin/python -m pip install -q pdoc numpy scipy typing_extensions
-	@test -e $(LIBRARY_OF_SITE) || $(MAKE) build
+	$(if $(FMC_CONTACT_LIBRARY),,$(MAKE) build)
 	PYTHONPATH=bindings/python/src FMC_CONTACT_LIBRARY=$(LIBRARY_OF_SITE) $(SITE_TOOLS)/bin/python .ci/python-reference $(REFERENCE)/python
 	$(MAKE) site-check
 
