@@ -17,4 +17,4 @@ def display(tex):
 
 def subscripts(text):
     """Names in running text: one letter, a bar, and letters or numbers that stand below."""
-    return re.sub(r"(?<!\w)([A-Za-zΑ-Ωα-ω∫Σδ∂][\u0303]?)_(?:\{([^{}]+)\}|(\w+))", lambda m: f"{m[1]}<sub>{m[2] or m[3]}</sub>", text)
+    return re.sub(r"(?<!\w)([A-Za-zΑ-Ωα-ω∫Σδ∂][\u0303]?)_(?:\{([^{}]+)\}|([A-Za-z0-9]+))", lambda m: f"{m[1]}<sub>{m[2] or m[3]}</sub>", text)
