@@ -67,6 +67,19 @@ def test_a_residual_that_is_not_finite_is_refused():
         said(lambda x: (np.where(np.arange(16) == 3, np.nan, 0.0), np.eye(16)))
 
 
+def test_a_matrix_that_is_not_finite_is_named():
+    matrix = np.eye(16)
+    matrix[3, 3] = np.nan
+    with pytest.raises(NotConvergedError, match="matrix is not finite: NaN at unknown 3"):
+        find_equilibrium(lambda x: (x.ravel() - COORDS.ravel(), matrix), Contact(COORDS, SQUARES, "quad"), COORDS, range(16))
+
+
+@pytest.mark.parametrize(("name", "value"), [("max_iterations", 0), ("max_iterations", -1), ("max_iterations", 2.5), ("max_updates", -1)])
+def test_counts_are_named(name, value):
+    with pytest.raises(ValueError, match=f"{name} is {value}, and an integer of at least"):
+        find_equilibrium(lambda x: (x.ravel() - COORDS.ravel(), np.eye(16)), Contact(COORDS, SQUARES, "quad"), COORDS, range(16), **{name: value})
+
+
 def test_a_step_may_go_as_far_as_nothing_passes_through():
     contact = Contact(COORDS, SQUARES, "quad")
     down = np.zeros((8, 2))

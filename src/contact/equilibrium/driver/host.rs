@@ -62,11 +62,11 @@ impl<const D: usize> Host<D> {
     }
 
     pub(super) async fn product(&self, vector: Vec<f64>, magnitudes: bool) -> Result<Vec<f64>, Trouble> {
-        vector_of(self.asking.host(Request::Product { vector, magnitudes }).await)
+        vector_of("a product with the matrix", self.asking.host(Request::Product { vector, magnitudes }).await)
     }
 
     pub(super) async fn diagonal(&self) -> Result<Vec<f64>, Trouble> {
-        vector_of(self.asking.host(Request::Diagonal).await)
+        vector_of("the diagonal of the matrix", self.asking.host(Request::Diagonal).await)
     }
 
     /// Solution of a system, zero at unknowns that are not free.
@@ -74,11 +74,9 @@ impl<const D: usize> Host<D> {
         self.solves.fetch_add(1, Relaxed);
         let System { x, part, shift } = system;
         let right = self.unknowns.freed(right);
-        let found = vector_of(self.asking.host(Request::Solve { x: x.to_vec(), part, shift, right }).await)?;
-        match found.iter().all(|entry| entry.is_finite()) {
-            true => Ok(self.unknowns.freed(found)),
-            false => Err(Trouble::Host("the solution of a linear system is not finite".into())),
-        }
+        let request = Request::Solve { x: x.to_vec(), part, shift, right };
+        let found = vector_of("the solution of a linear system", self.asking.host(request).await)?;
+        Ok(self.unknowns.freed(found))
     }
 
     /// A step to the equilibrium of the contact with linear bodies, and whether these have an energy that is least there.
@@ -93,22 +91,29 @@ impl<const D: usize> Host<D> {
         let (x, moved, forces) = (x.to_vec(), moved.to_vec(), forces.to_vec());
         let request = Request::Condensed { x, moved, forces, tolerance, absolute_tolerance };
         match self.asking.host(request).await {
-            Answer::Step { step, is_definite } if step.iter().all(|entry| entry.is_finite()) => Ok((step, is_definite)),
+            Answer::Step { step, is_definite } => Ok((finite("a condensed step", step)?, is_definite)),
             other => Err(refused(other)),
         }
     }
 }
 
-fn vector_of(answer: Answer) -> Result<Vec<f64>, Trouble> {
+fn vector_of(what: &str, answer: Answer) -> Result<Vec<f64>, Trouble> {
     match answer {
-        Answer::Vector(vector) if vector.iter().all(|entry| entry.is_finite()) => Ok(vector),
+        Answer::Vector(vector) => finite(what, vector),
         other => Err(refused(other)),
+    }
+}
+
+fn finite(what: &str, vector: Vec<f64>) -> Result<Vec<f64>, Trouble> {
+    match vector.iter().position(|entry| !entry.is_finite()) {
+        Some(unknown) => Err(Trouble::Host(format!("{what} is not finite: {} at unknown {unknown}", vector[unknown]))),
+        None => Ok(vector),
     }
 }
 
 fn refused(answer: Answer) -> Trouble {
     Trouble::Host(match answer {
         Answer::Refused(why) => why,
-        _ => "an answer of another kind than was asked for, or one that is not finite".into(),
+        _ => "an answer of another kind than was asked for".into(),
     })
 }

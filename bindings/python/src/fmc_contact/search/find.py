@@ -14,7 +14,7 @@ from .host import Host
 from .likely import refuse_displacements, unconnected
 from .outcome import Equilibrium, NoSupportError, NotConvergedError
 from .requests import Search
-from .start import start
+from .start import count, start
 from .unknowns import Moved
 
 
@@ -122,11 +122,11 @@ def find_equilibrium(
     steps = _condensed(bodies, two_level)
     options = {
         "tolerance": tolerance,
-        "max_solves": max_iterations,
+        "max_solves": count("max_iterations", max_iterations, 1),
         "lagged": int(lagged),
         "penetration": penetration or 0.0,
         "reach": reach,
-        "max_updates": max_updates,
+        "max_updates": count("max_updates", max_updates, 0),
         "find_patches": int(find_patches),
     }
     search = Search(bodies, unknowns, begin, solved_for, end, options, steps)
