@@ -102,6 +102,15 @@ pub enum Error {
         /// Cell or facet.
         cell: usize,
     },
+    /// A tolerance within which nodes are taken as one is so large that two nodes of a cell would be.
+    Collapsed {
+        /// Cell, counted over all blocks.
+        cell: usize,
+        /// How far apart the two nodes are: the length of an edge, or of a part of one.
+        length: f64,
+        /// The tolerance.
+        tolerance: f64,
+    },
     /// A surface given by facets is not closed: an edge (3D) or node (2D) that belongs to one facet only.
     OpenSurface {
         /// Facet with that edge or node.

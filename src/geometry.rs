@@ -40,6 +40,7 @@ mod surface_shares;
 pub(crate) mod symmetry;
 pub(crate) mod tree;
 pub(crate) mod weighting;
+pub(crate) mod weld;
 
 pub use boundary_facet::BoundaryFacet;
 pub use cell::{Bodies, CellBlock, CellType};

@@ -149,6 +149,7 @@ impl<const D: usize> Mesh<D> {
             let mark = marked.get_mut(node as usize);
             *mark.ok_or(Error::NodeOutOfRange { cell, node: node.into(), node_count })? = true;
         }
+        self.surface.mark_welded(&mut marked);
         self.tell(Told::Nodes(marked))
     }
 

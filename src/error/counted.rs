@@ -12,6 +12,7 @@ impl Error {
             Error::NodeOutOfRange { cell, node: _, node_count: _ }
             | Error::InvertedCell { cell }
             | Error::FoldedCell { cell, at: _, determinant: _ }
+            | Error::Collapsed { cell, length: _, tolerance: _ }
             | Error::ZeroMeasure { cell } => *cell += base,
             Error::NonFiniteCoordinate { node, axis: _ }
             | Error::NegativeRadius { node, radius: _ }

@@ -37,6 +37,11 @@ impl fmt::Display for Error {
                 "cell {cell} is inverted (a facet, where there are no cells): its nodes are numbered against the others, one in \
                  the middle of an edge is too near to a corner, or a step of the host was too large"
             ),
+            Error::Collapsed { cell, length, tolerance } => write!(
+                f,
+                "'weld' is {tolerance:.3e}, which would make one node of two of cell {cell} that are {length:.3e} apart: it must be \
+                 smaller than every edge"
+            ),
             Error::InvertedCells { cells, bow_ties } => {
                 let first = cells.first().copied().unwrap_or_default();
                 let (is, count) =

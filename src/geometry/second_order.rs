@@ -30,6 +30,7 @@ mod on_curve;
 mod point_rows;
 mod refined;
 mod shape_functions;
+mod welded;
 
 use super::CellType;
 

@@ -5,6 +5,7 @@ mod scene;
 
 mod forces;
 mod joined;
+mod welded;
 
 use fmc_contact::{Bodies, CellBlock, CellType, Error, Surface};
 use fmc_shapes::{Mesh, cuboid_hex8, cuboid_tet4, rectangle_quad4, second_order};

@@ -240,6 +240,7 @@ impl From<&Error> for fmc_status {
             Error::InvertedSurface { .. } => FMC_ERROR_INVERTED_SURFACE,
             Error::Empty => FMC_ERROR_EMPTY,
             Error::NotPositive { .. } | Error::BadEntry { .. } => FMC_ERROR_NOT_POSITIVE,
+            Error::Collapsed { .. } => FMC_ERROR_BAD_VALUE,
             Error::NotPositiveMass { .. } => FMC_ERROR_NOT_POSITIVE_MASS,
             Error::BadPose { .. } => FMC_ERROR_BAD_POSE,
             Error::ObstacleOutOfRange { .. } => FMC_ERROR_OBSTACLE_OUT_OF_RANGE,

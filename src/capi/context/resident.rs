@@ -112,6 +112,11 @@ impl<const D: usize> Resident<D> {
         }
     }
 
+    /// How many nodes are one with others before them.
+    pub(crate) fn welded_node_count(&self) -> usize {
+        self.held.contact().surface().welded_node_count()
+    }
+
     /// The mesh in parts, if it is.
     pub(crate) fn parts(&self) -> Option<&dyn InParts> {
         match &self.held {

@@ -3,6 +3,7 @@
 use crate::capi::boundary::failure::Failure;
 use crate::capi::boundary::index::IndexSize;
 use crate::capi::boundary::status::fmc_status::{FMC_ERROR_UNKNOWN_CELL_TYPE, FMC_ERROR_UNSUPPORTED};
+use crate::capi::structs::options::fmc_options;
 use crate::{Bodies, CellBlock, CellType, Error, Surface};
 use std::ffi::c_void;
 
@@ -146,15 +147,16 @@ pub(crate) unsafe fn surface_of_cells<const D: usize>(
     blocks: &[fmc_cell_block],
     size: IndexSize,
     body_ids: *const c_void,
-    index_base: i32,
+    options: &fmc_options,
 ) -> Result<Surface<D>, Failure> {
+    let index_base = options.index_base;
     // SAFETY: passed on to the caller.
     let conn = unsafe { blocks_of::<D>(coords.len(), blocks, size, index_base) }?;
     let count = conn.iter().map(|(cell_type, conn)| conn.len() / cell_type.node_count()).sum();
     let blocks: Vec<_> = conn.iter().map(|(cell_type, conn)| CellBlock { cell_type: *cell_type, conn }).collect();
     // SAFETY: the caller guarantees one id per cell.
     let ids = unsafe { ids(body_ids, size, count) }?;
-    Surface::from_cells(coords, &blocks, bodies(&ids)).map_err(Failure::counted_from(index_base))
+    Surface::from_cells_welded(coords, &blocks, bodies(&ids), options.weld).map_err(Failure::counted_from(index_base))
 }
 
 /// The width of the numbers of all blocks.

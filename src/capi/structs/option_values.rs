@@ -110,6 +110,14 @@ impl fmc_options {
         }
     }
 
+    /// Refuses a tolerance of nodes that are taken as one where there are no cells to merge.
+    pub(crate) fn refuse_weld(&self, of: &str) -> Result<(), Failure> {
+        match self.weld {
+            0.0 => Ok(()),
+            _ => Err(Failure::new(FMC_ERROR_OPTIONS_CONFLICT, format!("option 'weld' is not supported for {of}"))),
+        }
+    }
+
     fn friction(&self) -> Friction {
         Friction {
             coefficient: self.friction_coefficient,

@@ -109,8 +109,13 @@ pub struct fmc_options {
     /// Slip over which the coefficient falls from that at rest to that of what slides, in proportion, a length; positive with
     /// `static_coefficient`, else 0, the default.
     pub weakening_slip: f64,
+    /// Distance within which nodes of one body are taken as one for contact, at least 0, a length, for meshes whose nodes were not merged; it
+    /// holds from `fmc_context_new_from_cells` or `fmc_contact_force` on and is not changed later. A node that others are one with lies in
+    /// their mean, and each has an equal part of its force. Smaller than every edge. Without `body_ids` parts that are welded become one
+    /// body. 0, the default: every node is one of its own. Refused for bodies given by facets, and for meshes in parts.
+    pub weld: f64,
     /// Zero. Room for options of later versions.
-    pub reserved: [u64; 8],
+    pub reserved: [u64; 7],
 }
 
 impl Default for fmc_options {
@@ -141,7 +146,8 @@ impl Default for fmc_options {
             memoryless_slip: 0.0,
             static_coefficient: 0.0,
             weakening_slip: 0.0,
-            reserved: [0; 8],
+            weld: 0.0,
+            reserved: [0; 7],
         }
     }
 }

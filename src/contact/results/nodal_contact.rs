@@ -90,6 +90,21 @@ impl<const D: usize> NodalContact<D> {
         self
     }
 
+    /// Has nodes that are one share what is at the first: parts of its area, and all else as it is.
+    pub(crate) fn share(&mut self, nodes: &[u32]) {
+        let first = nodes[0] as usize;
+        self.area[first] /= nodes.len() as f64;
+        for &node in &nodes[1..] {
+            let Self { pressure, local_pressure, gap, area, normal, friction, sliding, status } = &mut *self;
+            for field in [pressure, local_pressure, gap, area, sliding] {
+                field[node as usize] = field[first];
+            }
+            normal[node as usize] = normal[first];
+            friction[node as usize] = friction[first];
+            status[node as usize] = status[first];
+        }
+    }
+
     /// Adds up in the order of the pairs; pairs whose law does not act at contact points come without sums. `shares` is the area of
     /// the surface that belongs to each node.
     pub(crate) fn assemble(shares: &[f64], pairs: &[NodalParts<D>]) -> Result<Self, Error> {

@@ -83,7 +83,9 @@ impl<const D: usize> OntoNodes for Vec<Overlap<D>> {
 /// integral vanishes, or is negative.
 impl<const D: usize> OntoNodes for NodalContact<D> {
     fn onto_nodes(self, division: &Division) -> Self {
-        self.truncated(division.interpolation.node_count())
+        let mut at_nodes = self.truncated(division.interpolation.node_count());
+        division.welds().iter().for_each(|nodes| at_nodes.share(nodes));
+        at_nodes
     }
 }
 

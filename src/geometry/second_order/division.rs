@@ -32,6 +32,8 @@ pub(crate) struct Division {
     pub(super) curved: Vec<CurvedCells>,
     /// Children of a cell, by its type.
     pub(super) types: Vec<(CellType, Vec<Child>)>,
+    /// Nodes that are one, where some are.
+    pub(super) welds: Vec<Vec<u32>>,
 }
 
 /// Where a straight cell comes from.
@@ -161,6 +163,7 @@ impl Division {
             starts: Vec::new(),
             curved: Vec::new(),
             types: Vec::new(),
+            welds: Vec::new(),
         }
     }
 

@@ -33,3 +33,20 @@ pub unsafe extern "C" fn fmc_context_counts(
         Ok(())
     })
 }
+
+/// Number of nodes that the option `weld` has taken as one with others, as many as merging would leave out; 0 without it.
+///
+/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUSY`. Threads: several at once on one context, as long as no call
+/// changes it.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmc_context_welded_node_count(context: *const fmc_context, count: *mut usize) -> fmc_status {
+    entry(|| {
+        let output = Output::required("count", count)?;
+        // SAFETY: the host passes a context, and an output that may be written.
+        unsafe {
+            let state = read(context)?;
+            output.write(in_either!(&state.session, one => one.welded_node_count()));
+        }
+        Ok(())
+    })
+}

@@ -54,7 +54,7 @@ where
     // SAFETY: passed on to the caller.
     let surface = unsafe {
         let rows = coords.rows::<D>("coords", &mut scratch)?;
-        surface_of_cells(rows, blocks, size, body_ids, options.index_base)?
+        surface_of_cells(rows, blocks, size, body_ids, options)?
     };
     Ok((Resident::new(surface, checked)?.into(), size))
 }

@@ -112,6 +112,7 @@ unsafe fn session<const D: usize>(
 where
     Session: From<Resident<D>>,
 {
+    options.refuse_weld("bodies given by facets")?;
     let (checked, mut scratch) = (options.to_options()?, Vec::new());
     let size = IndexSize::of_all("facet block", blocks.iter().map(|block| block.index_size))?;
     // SAFETY: passed on to the caller.

@@ -1,8 +1,10 @@
 //! The options of a context, replaced and asked for.
 
 use crate::capi::boundary::entry::entry;
+use crate::capi::boundary::failure::Failure;
 use crate::capi::boundary::pointer::{Output, reference};
 use crate::capi::boundary::status::fmc_status;
+use crate::capi::boundary::status::fmc_status::FMC_ERROR_OPTIONS_CONFLICT;
 use crate::capi::context::session::in_either;
 use crate::capi::context::state::{fmc_context, read, write};
 use crate::capi::structs::options::fmc_options;
@@ -19,6 +21,10 @@ pub unsafe extern "C" fn fmc_context_set_options(context: *mut fmc_context, opti
         unsafe {
             write(context, |state| {
                 let options = reference("options", options)?;
+                if options.weld.to_bits() != state.options.weld.to_bits() {
+                    let text = "option 'weld' is that of the mesh: it cannot change, make another context";
+                    return Err(Failure::new(FMC_ERROR_OPTIONS_CONFLICT, text));
+                }
                 in_either!(&mut state.session, one => one.set_options(options.to_options()?))?;
                 (state.index_base, state.options) = (options.index_base, *options);
                 Ok(())

@@ -17,7 +17,7 @@ use std::str::FromStr;
 /// The keys, for the message about an unknown one.
 const KEYS: &str = "stiffness, exponent, spacing, fiber_length, fiber_count, seed, law, smoothing_length, estimator, pattern, \
                     weights, momentum_correction, self_contact, check_cells, axisymmetric, friction_coefficient, friction_stiffness, cohesion, shear_limit, \
-                    memoryless_slip, static_coefficient, weakening_slip, threads, index_base";
+                    memoryless_slip, static_coefficient, weakening_slip, weld, threads, index_base";
 
 fn unknown_value(key: &str, value: &str, wanted: &str) -> Failure {
     Failure::new(FMC_ERROR_BAD_VALUE, format!("option '{key}' has no value '{value}': {wanted} is wanted"))
@@ -60,6 +60,7 @@ fn set(options: &mut fmc_options, key: &str, value: &str) -> Result<(), Failure>
         "memoryless_slip" => options.memoryless_slip = number(key, value)?,
         "static_coefficient" => options.static_coefficient = number(key, value)?,
         "weakening_slip" => options.weakening_slip = number(key, value)?,
+        "weld" => options.weld = number(key, value)?,
         "spacing" => options.spacing = number(key, value)?,
         "fiber_length" => options.fiber_length = number(key, value)?,
         "fiber_count" => options.fiber_count = whole(key, value)?,

@@ -136,6 +136,7 @@ unsafe fn read<'a, const D: usize>(
     options: &fmc_options,
     scratch: &'a mut Vec<[f64; D]>,
 ) -> Result<Given<'a, D>, Failure> {
+    options.refuse_weld("a mesh in parts")?;
     // SAFETY: passed on to the caller.
     let part = unsafe { reference("part", part) }?;
     check_struct::<fmc_mesh_part>(
