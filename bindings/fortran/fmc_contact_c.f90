@@ -204,7 +204,8 @@ module fmc_contact_c
     real(c_double) :: memoryless_slip
     real(c_double) :: static_coefficient
     real(c_double) :: weakening_slip
-    integer(c_int64_t) :: reserved(8)
+    real(c_double) :: weld
+    integer(c_int64_t) :: reserved(7)
   end type
 
   type, bind(c) :: fmc_coords
@@ -841,6 +842,12 @@ module fmc_contact_c
       integer(c_size_t), intent(inout), optional :: facet_count
       integer(c_size_t), intent(inout), optional :: body_count
       integer(c_int32_t) :: fmc_context_counts
+    end function
+    function fmc_context_welded_node_count(context, count) bind(c)
+      import
+      type(c_ptr), value :: context
+      integer(c_size_t), intent(inout) :: count
+      integer(c_int32_t) :: fmc_context_welded_node_count
     end function
     function fmc_context_set_interrupt(context, callback, user) bind(c)
       import

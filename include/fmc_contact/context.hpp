@@ -73,6 +73,12 @@ class Context : public AddsShapes<Context> {
     check(fmc_context_counts(get(), &counts.nodes, &counts.facets, &counts.bodies));
     return counts;
   }
+  // Nodes that the option `weld` has taken as one with others.
+  size_t welded_node_count() const {
+    size_t count = 0;
+    check(fmc_context_welded_node_count(get(), &count));
+    return count;
+  }
 
   // Messages to the host, called at the end of an evaluation; empty: none. What it throws comes out of the evaluation, whose
   // results stand.

@@ -184,6 +184,7 @@ void forces_and_getters() {
   contact.evaluate(coords);
 
   // Facets; points, which are the nodes here; and a basis whose unknowns are the nodes in the opposite order.
+  EXPECT(contact.welded_node_count() == 0);
   EXPECT(contact.boundary_facets().size() == 8 && contact.boundary_facets()[0].cell == 0);
   const auto points = contact.point_weights();
   EXPECT(points.rows() == 8 && points.cols[3] == 3 && points.values[3] == 1);

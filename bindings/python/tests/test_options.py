@@ -36,6 +36,7 @@ CHANGES = {
     "memoryless_slip": 0.125,
     "static_coefficient": 0.5,
     "weakening_slip": 1e-3,
+    "weld": 1e-6,
     "threads": 3,
     "index_base": 1,
 }

@@ -47,6 +47,9 @@ impl Host {
             let [nodes, facets, bodies] = &mut counts;
             assert_eq!(checked(fmc_context_counts(self.context, nodes, facets, unless(hole, 4, bodies))), OK);
             assert_eq!(counts[0], self.mesh.node_count());
+            let mut welded = 1usize;
+            assert_eq!(checked(fmc_context_welded_node_count(self.context, &raw mut welded)), OK);
+            assert_eq!(welded, 0);
             let mut options = std::mem::MaybeUninit::<fmc_options>::zeroed().assume_init();
             assert_eq!(checked(fmc_context_options(self.context, &raw mut options)), OK);
             assert_eq!(options.struct_size, size_of::<fmc_options>());

@@ -228,7 +228,8 @@ pub struct fmc_options {
     pub memoryless_slip: f64,
     pub static_coefficient: f64,
     pub weakening_slip: f64,
-    pub reserved: [u64; 8],
+    pub weld: f64,
+    pub reserved: [u64; 7],
 }
 
 #[repr(C)]
@@ -815,6 +816,7 @@ unsafe extern "C" {
     pub fn fmc_context_set_options(context: *mut fmc_context, options: *const fmc_options) -> fmc_status;
     pub fn fmc_context_options(context: *const fmc_context, options: *mut fmc_options) -> fmc_status;
     pub fn fmc_context_counts(context: *const fmc_context, node_count: *mut usize, facet_count: *mut usize, body_count: *mut usize) -> fmc_status;
+    pub fn fmc_context_welded_node_count(context: *const fmc_context, count: *mut usize) -> fmc_status;
     pub fn fmc_context_set_interrupt(context: *mut fmc_context, callback: fmc_interrupt_callback, user: *mut c_void) -> fmc_status;
     pub fn fmc_context_set_reference(context: *mut fmc_context, coords: *const fmc_coords) -> fmc_status;
     pub fn fmc_context_set_symmetry_planes(context: *mut fmc_context, points: *const f64, normals: *const f64, count: usize) -> fmc_status;

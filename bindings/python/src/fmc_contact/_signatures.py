@@ -96,6 +96,7 @@ FUNCTIONS: dict[str, tuple[Any, list[Any]]] = {
     "fmc_context_set_options": (c_int32, [fmc_context, POINTER(fmc_options)]),
     "fmc_context_options": (c_int32, [fmc_context, POINTER(fmc_options)]),
     "fmc_context_counts": (c_int32, [fmc_context, POINTER(c_size_t), POINTER(c_size_t), POINTER(c_size_t)]),
+    "fmc_context_welded_node_count": (c_int32, [fmc_context, POINTER(c_size_t)]),
     "fmc_context_set_interrupt": (c_int32, [fmc_context, fmc_interrupt_callback, c_void_p]),
     "fmc_context_set_reference": (c_int32, [fmc_context, POINTER(fmc_coords)]),
     "fmc_context_set_symmetry_planes": (c_int32, [fmc_context, Float64Array, Float64Array, c_size_t]),

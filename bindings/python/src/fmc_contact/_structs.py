@@ -73,7 +73,8 @@ class fmc_options(Structure):
         ("memoryless_slip", c_double),
         ("static_coefficient", c_double),
         ("weakening_slip", c_double),
-        ("reserved", c_uint64 * 8),
+        ("weld", c_double),
+        ("reserved", c_uint64 * 7),
     ]
 
 

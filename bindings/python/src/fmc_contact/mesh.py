@@ -58,6 +58,19 @@ class Mesh:
     def __init__(self, core: Core) -> None:
         self._core = core
 
+    @property
+    def welded_node_count(self) -> int:
+        """Number of nodes that the option ``weld`` has taken as one with others, as many as merging would leave out.
+
+        Examples
+        --------
+        >>> contact.mesh.welded_node_count
+        0
+        """
+        count = c_size_t()
+        self._core.handle.call(library.fmc_context_welded_node_count, byref(count))
+        return count.value
+
     def boundary_facets(self) -> BoundaryFacets:
         """The boundary facets that were found; ``contact.friction.slip`` names them by their place.
 

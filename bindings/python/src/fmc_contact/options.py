@@ -49,6 +49,7 @@ class OtherOptions(TypedDict, total=False):
     memoryless_slip: float
     static_coefficient: float
     weakening_slip: float
+    weld: float
     axisymmetric: bool
     check_cells: bool
     threads: int
@@ -111,6 +112,10 @@ class Options(OtherOptions, total=False):
         throughout a step rests. 0, the default: one coefficient. Excludes ``memoryless_slip``.
     weakening_slip : float
         Slip (length) over which the coefficient falls, in proportion. Positive with ``static_coefficient``, else 0, the default.
+    weld : float
+        Distance (length) within which nodes of one body are taken as one for contact, for meshes whose nodes were not merged. Smaller
+        than every edge; it belongs to the mesh and cannot change. ``contact.mesh.welded_node_count`` tells how many were. 0, the
+        default: none.
     axisymmetric : bool
         Axisymmetry in 2D: coordinates are (r, z) with r >= 0, and volumes, areas, energies and forces are those of whole rings.
         Default: False. Not with isotropic fibers.
