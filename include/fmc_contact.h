@@ -355,8 +355,13 @@ typedef struct {
   // Slip over which the coefficient falls from that at rest to that of what slides, in proportion, a length; positive with
   // `static_coefficient`, else 0, the default.
   double weakening_slip;
+  // Distance within which nodes of one body are taken as one for contact, at least 0, a length, for meshes whose nodes were not merged; it
+  // holds from `fmc_context_new_from_cells` or `fmc_contact_force` on and is not changed later. A node that others are one with lies in
+  // their mean, and each has an equal part of its force. Smaller than every edge. Without `body_ids` parts that are welded become one
+  // body. 0, the default: every node is one of its own. Refused for bodies given by facets, and for meshes in parts.
+  double weld;
   // Zero. Room for options of later versions.
-  uint64_t reserved[8];
+  uint64_t reserved[7];
 } fmc_options;
 
 // Sets all options to their defaults. Afterwards set `stiffness`, unless it is to be found.
@@ -597,6 +602,12 @@ fmc_status fmc_context_counts(const fmc_context *context,
                               size_t *node_count,
                               size_t *facet_count,
                               size_t *body_count);
+
+// Number of nodes that the option `weld` has taken as one with others, as many as merging would leave out; 0 without it.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUSY`. Threads: several at once on one context, as long as no call
+// changes it.
+fmc_status fmc_context_welded_node_count(const fmc_context *context, size_t *count);
 
 // Sets a callback that is asked some twenty times a second, while a call computes, whether it is to end; NULL, the default: none.
 //
