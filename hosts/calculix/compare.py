@@ -70,17 +70,17 @@ def by_solve(name: str, deck: str, folder: Path) -> Solution:
     text = (folder / "step-1.vtu").read_text()
     points = text[text.index("<PointData>") : text.index("</PointData>")]
 
-    def array(key: str, kind: type) -> np.ndarray:
+    def array(key: str, kind: str) -> np.ndarray:
         found = re.search(rf'Name="{key}"[^>]*>([^<]*)<', points)
         if found is None:
             raise ValueError(f"no {key} in the results of {name}")
         return np.frombuffer(base64.b64decode(found[1].strip())[8:], kind)
 
     kind = re.search(r'type="(\w+)" Name="label"', points)
-    labels = array("label", np.dtype(kind[1].lower()) if kind else np.int64)
+    labels = array("label", kind[1].lower() if kind else "int64")
     line = next(line for line in log.split("\n") if "reactions of this set" in line)
     force = np.array([float(x) for x in line.split()[1:4]])
-    return Solution(labels.astype(int), array("displacement", np.float64).reshape(-1, 3), force, log)
+    return Solution(labels.astype(int), array("displacement", "float64").reshape(-1, 3), force, log)
 
 
 def same_places(name: str, ours: Solution, theirs: Solution) -> float:

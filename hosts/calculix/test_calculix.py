@@ -22,6 +22,23 @@ def test_displacements_and_reactions_are_those_of_fmc_solve(name: str, tmp_path:
     assert np.abs(ours - theirs).max() < PRINTED * np.abs(theirs).max()
 
 
+@pytest.mark.parametrize("kind", ["C3D8", "C3D10", "C3D20"])
+def test_elements_of_other_types_agree(kind: str, tmp_path: Path) -> None:
+    deck = decks.punch(kind)
+    ours, theirs = compare.by_ccx("punch", deck, tmp_path / "a"), compare.by_solve("punch", deck, tmp_path / "b")
+    assert compare.same_places("punch", ours, theirs) < SAME
+
+
+# One point of integration makes cells of first order softer: a tenth was measured with these cells.
+@pytest.mark.parametrize(("kind", "apart"), [("C3D8I", 0.05), ("C3D8R", 0.15), ("C3D20R", 0.05)])
+def test_variants_and_large_displacements_are_solved(kind: str, apart: float, tmp_path: Path) -> None:
+    full = decks.punch(kind[:-1])
+    deck = full.replace(f"TYPE={kind[:-1]}", f"TYPE={kind}").replace("*STEP", "*STEP, NLGEOM")
+    ours = compare.by_ccx("punch", deck, tmp_path / "a")
+    # Strains are below 2 %: the force is near that of full integration and small strains.
+    assert abs(ours.reaction[2] / compare.by_ccx("punch", full, tmp_path / "b").reaction[2] - 1) < apart
+
+
 @pytest.mark.parametrize("name", ["punch", "hertz"])
 def test_friction_is_that_of_fmc_solve(name: str, tmp_path: Path) -> None:
     deck = decks.DECKS[name]().replace("*CONTACT PAIR", "*FRICTION\n0.3, 1e6\n*CONTACT PAIR")
@@ -61,9 +78,12 @@ def test_convergence_is_quadratic(tmp_path: Path) -> None:
 def test_what_is_not_known_ends_ccx_with_its_name(old: str, new: str, message: str, tmp_path: Path) -> None:
     deck = decks.punch().replace("*ELASTIC\n", "*DENSITY\n1.,\n*ELASTIC\n").replace(old, new)
     if "CPS3" in new:
-        deck = decks.punch().replace("*CONTACT PAIR", "*NODE\n9001, 9., 0., 0.\n9002, 9.5, 0., 0.\n9003, 9., 1., 0.\n"
-                                     "*ELEMENT, TYPE=CPS3, ELSET=FLAT\n9001, 9001, 9002, 9003\n"
-                                     "*SOLID SECTION, ELSET=FLAT, MATERIAL=STEEL\n1.,\n*CONTACT PAIR")
+        deck = decks.punch().replace(
+            "*CONTACT PAIR",
+            "*NODE\n9001, 9., 0., 0.\n9002, 9.5, 0., 0.\n9003, 9., 1., 0.\n"
+            "*ELEMENT, TYPE=CPS3, ELSET=FLAT\n9001, 9001, 9002, 9003\n"
+            "*SOLID SECTION, ELSET=FLAT, MATERIAL=STEEL\n1.,\n*CONTACT PAIR",
+        )
         deck = deck.replace("*SURFACE, NAME=MASTER, TYPE=ELEMENT\n", "*SURFACE, NAME=MASTER, TYPE=ELEMENT\n9001, S1\n")
     (tmp_path / "deck.inp").write_text(deck)
     done = subprocess.run([os.environ["CCX_FMC"], "deck"], cwd=tmp_path, capture_output=True, text=True, timeout=60)
