@@ -66,6 +66,22 @@ def test_convergence_is_quadratic(tmp_path: Path) -> None:
     assert order > 1.7, steps
 
 
+def test_nodes_in_contact_may_be_in_equations(tmp_path: Path) -> None:
+    # The bottom of the punch stays flat: all its nodes go up and down with the first.
+    deck = decks.punch()
+    lines = deck.split("\n")
+    begin = lines.index("*NSET, NSET=PUNCH_Z0") + 1
+    nodes = [int(line.strip(",")) for line in lines[begin : begin + 16]]
+    equations = "".join(f"*EQUATION\n2\n{node}, 3, 1., {nodes[0]}, 3, -1.\n" for node in nodes[1:])
+    ours = compare.by_ccx("punch", deck.replace("*STEP\n", equations + "*STEP\n"), tmp_path)
+    height = ours.displacements[np.isin(ours.labels, nodes), 2]
+    assert np.ptp(height) < 1e-12 and height.max() < -1e-3
+    # A flat punch is stiffer, and without the right factors in the tangent convergence is not quadratic.
+    assert ours.reaction[2] > compare.by_ccx("punch", deck, tmp_path / "free").reaction[2]
+    steps = compare.corrections(ours.log)
+    assert np.log(steps[-1] / steps[-2]) / np.log(steps[-2] / steps[-3]) > 1.7, steps
+
+
 @pytest.mark.parametrize(
     ("old", "new", "message"),
     [
