@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from fmc_contact import Contact, NotConvergedError, check_host
+from fmc_contact import Contact, NotConvergedError, check_host, find_equilibrium
 from fmc_contact.errors import NoStiffnessError
 
 COORDS = np.array([[0, 0], [1, 0], [1, 1], [0, 1], [0, 1.1], [1, 1.1], [1, 2.1], [0, 2.1]])
