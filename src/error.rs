@@ -160,6 +160,17 @@ pub enum Error {
         /// What stands there.
         value: f64,
     },
+    /// An entry of an array is the number of something that does not exist.
+    NoSuchNumber {
+        /// Name of the array.
+        array: &'static str,
+        /// Place in it, counted from 0.
+        entry: usize,
+        /// What stands there.
+        number: usize,
+        /// How many there are.
+        count: usize,
+    },
     /// The mass of a node that feels contact is not positive.
     NotPositiveMass {
         /// Node.

@@ -1,11 +1,12 @@
 //! Surfaces that belong together: where they face one another, and what holds them there.
 //!
-//! `common_pieces` (of facets that face one another) · `visible` (with `near_facets`) (what hides them) · `facing_points` (quadrature on these) · `place` (a place of a facet, by the points that
+//! `between` (which facets) · `common_pieces` (of facets that face one another) · `visible` (with `near_facets`) (what hides them) · `facing_points` (quadrature on these) · `place` (a place of a facet, by the points that
 //! move it) · `opposite` (points of a piece, and what lies opposite) · `covered` (what of facets pieces cover) · `frame` (how the normal of a
 //! facet turns) · `hold` (by which side) · `tie` (the rows of a tie) · `tie_energy` (its energy, forces and tangent) · `cohesive_law` (how an
 //! interface breaks) · `cohesion` (its points) · `cohesive_energy` (as of a tie) · `glide` (surfaces that slide and do not separate) ·
 //! `glide_energy` (as of a tie)
 
+mod between;
 mod cohesion;
 mod cohesive_energy;
 mod cohesive_law;
@@ -23,6 +24,7 @@ mod tie;
 mod tie_energy;
 mod visible;
 
+pub(crate) use between::{Between, HeldFacets};
 pub(crate) use cohesion::Cohesion;
 pub(crate) use cohesive_energy::{CohesionAt, Softened};
 pub(crate) use cohesive_law::CohesiveLaw;

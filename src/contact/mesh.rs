@@ -1,8 +1,11 @@
 //! The mesh of a contact: its surface, and how deep its cells lie below it.
 
 mod offsets;
+mod surfaces;
 
 pub(crate) use offsets::Offsets;
+
+use surfaces::{Surfaces, TiedPairs};
 
 use crate::Error;
 use crate::contact::partners::MeshHashes;
@@ -10,7 +13,10 @@ use crate::depth_field::{DepthField, ReferenceSlopes};
 use crate::geometry::submesh::hash_of;
 use crate::geometry::symmetry::{Symmetry, SymmetryPlane, check_bodies, planes_of};
 use crate::geometry::{Basis, CoincidingFaces, Surface, Weighting};
+use crate::interfaces::{Between, HeldFacets};
+use crate::overlap::TiedFacets;
 use std::borrow::Cow;
+use std::collections::BTreeMap;
 use std::sync::OnceLock;
 
 /// The bodies, without obstacles, and what is known of them without deformation.
@@ -30,6 +36,8 @@ pub(crate) struct Mesh<const D: usize> {
     /// Faces of one body that coincide, found when they are asked for first.
     coinciding: OnceLock<Vec<CoincidingFaces>>,
     hashes: MeshHashes,
+    surfaces: Surfaces,
+    tied: TiedPairs,
 }
 
 impl<const D: usize> Mesh<D> {
@@ -37,7 +45,9 @@ impl<const D: usize> Mesh<D> {
         let offsets = Offsets::none();
         let hashes = MeshHashes { depths: [hash_of(surface.reference()), 0, 0], offsets: offsets.hash() };
         let (depth, slopes, coinciding) = (OnceLock::new(), OnceLock::new(), OnceLock::new());
-        Self { surface, offsets, told: None, symmetry: None, feature_angle: None, depth, slopes, coinciding, hashes }
+        let (surfaces, tied, told) = (Surfaces::default(), TiedPairs::default(), None);
+        let (symmetry, feature_angle) = (None, None);
+        Self { surface, offsets, told, symmetry, feature_angle, depth, slopes, coinciding, hashes, surfaces, tied }
     }
 
     /// The points of the straight mesh that is measured: those of the nodes at `coords`, with what the surface lies beside them.
@@ -69,6 +79,33 @@ impl<const D: usize> Mesh<D> {
     pub(crate) fn depth_field(&self, weighting: Weighting, check: &dyn Fn()) -> Option<&DepthField<D>> {
         let new = || DepthField::new(&self.surface, self.symmetry.as_ref(), weighting, self.feature_angle, check);
         self.depth.get_or_init(new).as_ref()
+    }
+
+    /// Names a part of the surface; returns its number.
+    pub(crate) fn add_surface(&mut self, facets: &[usize]) -> Result<usize, Error> {
+        self.surface.refuse_submesh("a named surface of a mesh in parts")?;
+        self.surfaces.add(facets, self.surface.facet_count())
+    }
+
+    /// What of two bodies something is to hold together: parts of their surfaces, or all of them.
+    pub(crate) fn between(
+        &self,
+        bodies: [usize; 2],
+        surfaces: Option<[usize; 2]>,
+        reach: f64,
+    ) -> Result<Between, Error> {
+        let of_bodies = |numbers| self.surfaces.of_bodies(&self.surface, bodies, numbers);
+        Ok(Between { bodies, facets: surfaces.map(of_bodies).transpose()?, reach })
+    }
+
+    /// Has facets of these pairs be in no contact, and no others.
+    pub(crate) fn set_tied(&mut self, pairs: BTreeMap<[usize; 2], HeldFacets>) {
+        self.tied = TiedPairs::new(pairs);
+    }
+
+    /// Facets of a pair that are in no contact since they are tied.
+    pub(crate) fn tied(&self, field: &DepthField<D>, bodies: [usize; 2]) -> Option<TiedFacets<'_>> {
+        self.tied.of(&self.surface, field, bodies)
     }
 
     /// How the depths of flat faces change with the reference, where there are cells. It is found at the first call; `check` may end that.
@@ -121,6 +158,7 @@ impl<const D: usize> Mesh<D> {
     pub(crate) fn forget_depth(&mut self) {
         self.depth = OnceLock::new();
         self.slopes = OnceLock::new();
+        self.tied.forget_layers();
     }
 
     pub(crate) fn set_reference(&mut self, coords: &[[f64; D]]) -> Result<(), Error> {

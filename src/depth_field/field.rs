@@ -141,6 +141,11 @@ impl<const D: usize> DepthField<D> {
         )
     }
 
+    /// The facet that is nearest to a node below the surface without deformation.
+    pub(crate) fn nearest_facet(&self, node: u32) -> Option<usize> {
+        (self.nodes[node as usize] > 0.0).then(|| self.anchors[node as usize] as usize)
+    }
+
     /// Whether it was said which faces are no surface.
     pub(crate) fn is_surface_told(&self) -> bool {
         self.is_surface_told

@@ -32,6 +32,8 @@ pub(crate) struct DepthPiece<const D: usize> {
     pub(crate) turn: f64,
     /// Whether the depth is the height above a facet of the body, which the piece has for a face.
     pub(crate) is_at_surface: bool,
+    /// Whether its depth falls below facets that are tied: of it only a film counts.
+    pub(crate) is_below_tie: bool,
 }
 
 impl<const D: usize> DepthPiece<D> {
@@ -60,6 +62,7 @@ impl<const D: usize> DepthPiece<D> {
             sign,
             turn,
             is_at_surface: false,
+            is_below_tie: false,
         })
     }
 

@@ -87,6 +87,9 @@ impl fmt::Display for Error {
             Error::BadEntry { array, entry, value } => {
                 write!(f, "entry {entry} of '{array}' is {value}, which is not allowed")
             }
+            Error::NoSuchNumber { array, entry, number, count } => {
+                write!(f, "entry {entry} of '{array}' is {number}, and there are {count}")
+            }
             Error::NotPositiveMass { node, value } => {
                 write!(f, "node {node} feels contact, and its mass is {value}: a positive one is needed")
             }

@@ -3,6 +3,7 @@
 //! At a point a = x_A(ξ) − x_B(η), where ξ and η stay with the material, as in a tie. With the normal n of the facet of B and the gap γ that was
 //! there at first the opening is δ_n = a·n − γ, and the sliding δ_t = a − (a·n) n.
 
+use super::between::{Between, HeldFacets, held_facets};
 use super::common_pieces::Facing;
 use super::covered::{Covered, LeftOut};
 use super::opposite::Opposite;
@@ -23,6 +24,7 @@ pub(crate) struct Cohesion<const D: usize> {
     /// All of it, in area (2D: length).
     pub(crate) area: f64,
     pub(crate) left_out: Option<LeftOut>,
+    pub(crate) facets: HeldFacets,
     /// The largest gap, or overlap, that is kept.
     pub(crate) largest_gap: f64,
 }
@@ -39,8 +41,7 @@ pub(crate) struct CohesivePoint {
 }
 
 impl<const D: usize> Cohesion<D> {
-    /// Of two bodies where they face one another within `reach`, at these points of the straight mesh; 0: a tenth of the mean facet
-    /// of the body with the larger facets.
+    /// Of two bodies where they face one another, at these points of the straight mesh.
     ///
     /// # Errors
     /// [`Error::Untied`] where they do so nowhere; [`Error::Unsupported`] where faces of one lie above one another within reach.
@@ -48,21 +49,23 @@ impl<const D: usize> Cohesion<D> {
         surface: &Surface<D>,
         points: &[[f64; D]],
         weighting: Weighting,
-        bodies: [usize; 2],
-        reach: f64,
+        between: &Between,
     ) -> Result<Self, Error> {
         let vertices = surface.points(points);
-        let facing = Facing::of_bodies(surface, &vertices, bodies, reach);
-        let (mut found, mut covered) = (Vec::<(usize, Opposite<D>)>::new(), Covered::default());
+        let facing = Facing::of_bodies(surface, &vertices, between);
+        let (mut found, mut covered, mut pairs) = (Vec::<(usize, Opposite<D>)>::new(), Covered::default(), Vec::new());
         for piece in facing.candidates(false).into_iter().flat_map(|pair| facing.common(pair)) {
             let there = piece.facets[1];
             covered.add(&piece);
+            if piece.within > 0.0 {
+                pairs.push(piece.facets);
+            }
             facing.for_each_opposite(points, weighting, &piece, |point| found.push((there, point)));
         }
         covered.check()?;
         let area: f64 = found.iter().map(|(_, point)| point.measure).sum();
         if area <= 0.0 {
-            return Err(facing.untied(bodies, "joined by a cohesive interface"));
+            return Err(facing.untied(between.bodies, "joined by a cohesive interface"));
         }
         let corners = |facet: usize| surface.facets[facet].map(|vertex| surface.nodes_of_vertex(vertex).collect());
         let mut numbers: BTreeMap<(bool, u32), u32> = BTreeMap::new();
@@ -86,13 +89,14 @@ impl<const D: usize> Cohesion<D> {
         };
         let in_list = |weights: Weights| weights.into_iter().map(|(node, w)| (numbers[&(true, node)], w)).collect();
         Ok(Self {
-            bodies,
+            bodies: between.bodies,
             nodes: numbers.keys().map(|(_, node)| *node).collect(),
             of_b: numbers.keys().map(|(of_b, _)| *of_b).collect(),
             points: found.iter().map(of_point).collect(),
             frames: frames.keys().map(|&facet| corners(facet).map(in_list)).collect(),
             area,
             left_out: covered.left_out(&facing, weighting, area),
+            facets: held_facets(pairs, false),
             largest_gap: found.iter().map(|(_, point)| point.gap.abs()).fold(0.0, f64::max),
         })
     }

@@ -1,5 +1,6 @@
 //! Pieces of facets of one body that face a facet of another.
 
+use super::between::Between;
 use super::near_facets::NearFacets;
 use crate::Error;
 use crate::geometry::aabb::Aabb;
@@ -56,17 +57,16 @@ const ROUNDED: f64 = 1e-9;
 const UNITS: f64 = 64.0 * f64::EPSILON;
 
 impl<'a, const D: usize> Facing<'a, D> {
-    /// Those of two bodies, within a reach; 0: a tenth of the mean size of all facets of the body where that is larger.
-    pub(super) fn of_bodies(
-        surface: &'a Surface<D>,
-        vertices: &'a [Vector<D>],
-        bodies: [usize; 2],
-        reach: f64,
-    ) -> Self {
-        let mut facing = Self::new(surface, vertices, bodies.map(|body| surface.ranges[body].clone().collect()), reach);
-        if reach <= 0.0 {
+    /// Those of two bodies. What hides them may be any facet of either.
+    pub(super) fn of_bodies(surface: &'a Surface<D>, vertices: &'a [Vector<D>], between: &Between) -> Self {
+        let all = between.bodies.map(|body| surface.ranges[body].clone().collect());
+        let mut facing = Self::new(surface, vertices, all, between.reach);
+        if between.reach <= 0.0 {
             let sizes = facing.sides.each_ref().map(|facets| facing.facet_size(facets.iter().copied()));
             facing.set_reach(REACH * sizes[0].max(sizes[1]));
+        }
+        if let Some(facets) = &between.facets {
+            facing.sides = facets.each_ref().map(|facets| facets.to_vec());
         }
         facing
     }

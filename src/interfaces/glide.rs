@@ -5,6 +5,7 @@
 //! held; γ_i is the mean that was there at first. A hat function averages the facets of a circle: as it turns in another one, γ_i stays what
 //! it is but for terms of higher order. Areas are those without deformation, so that a traction stays a force as points are found anew.
 
+use super::between::{Between, HeldFacets};
 use super::common_pieces::Facing;
 use super::covered::{Covered, LeftOut};
 use super::place::{Weights, of_vertices};
@@ -32,8 +33,11 @@ pub(crate) struct Glide<const D: usize> {
 
 /// What was found where nothing was deformed, and stays.
 pub(crate) struct AtFirst {
-    pub(crate) bodies: [usize; 2],
-    reach: f64,
+    pub(crate) between: Between,
+    /// What faced something then.
+    pub(crate) facets: HeldFacets,
+    /// How far apart facets might be.
+    pub(crate) reach: f64,
     /// Whether the side of the hat functions is the second body.
     pub(crate) is_second: bool,
     /// Mean gaps by point, and that of all.
@@ -76,7 +80,7 @@ struct Sums {
 }
 
 impl<const D: usize> Glide<D> {
-    /// Of two bodies where they face one another within `reach`, at these points of the straight mesh; 0: a tenth of a facet.
+    /// Of two bodies where they face one another, at these points of the straight mesh.
     ///
     /// # Errors
     /// [`Error::Untied`] where they do so nowhere; [`Error::Unsupported`] where faces of one lie above one another within reach.
@@ -84,19 +88,21 @@ impl<const D: usize> Glide<D> {
         surface: &Surface<D>,
         points: &[[f64; D]],
         weighting: Weighting,
-        bodies: [usize; 2],
-        reach: f64,
+        between: &Between,
     ) -> Result<Self, Error> {
         // The side that holds a tie holds its normal part.
-        let tie = Tie::new(surface, points, weighting, bodies, reach)?;
-        let (is_second, largest_gap) = (tie.is_second, tie.largest_gap);
-        let none = AtFirst { bodies, reach, is_second, gaps: BTreeMap::new(), mean_gap: 0.0, largest_gap };
+        let tie = Tie::new(surface, points, weighting, between)?;
+        let Tie { is_second, largest_gap, given: reach, facets, .. } = tie;
+        let (between, gaps) = (between.clone(), BTreeMap::new());
+        let none = AtFirst { between, facets, reach, is_second, gaps, mean_gap: 0.0, largest_gap };
         let mut found = Self::found(surface, [points; 2], weighting, Arc::new(none))?;
         if largest_gap > 0.0 {
             let whole: f64 = found.rows.iter().map(|row| row.measure).sum();
             let gaps = found.rows.iter().map(|row| (row.point, row.gap)).collect();
             let mean_gap = found.rows.iter().map(|row| row.measure * row.gap).sum::<f64>() / whole;
-            found.first = Arc::new(AtFirst { bodies, reach, is_second, gaps, mean_gap, largest_gap });
+            let AtFirst { between, facets, .. } = &*found.first;
+            let (between, facets) = (between.clone(), facets.clone());
+            found.first = Arc::new(AtFirst { between, facets, reach, is_second, gaps, mean_gap, largest_gap });
         }
         Ok(found)
     }
@@ -126,7 +132,7 @@ impl<const D: usize> Glide<D> {
         first: Arc<AtFirst>,
     ) -> Result<Self, Error> {
         let (at_rest, vertices) = (surface.points(rest), surface.points(points));
-        let facing = Facing::of_bodies(surface, &vertices, first.bodies, first.reach);
+        let facing = Facing::of_bodies(surface, &vertices, &first.between);
         let (mut sums, mut covered, mut area) = (BTreeMap::<u32, Sums>::new(), Covered::default(), 0.0);
         let candidates = facing.candidates(first.is_second);
         for piece in candidates.into_iter().flat_map(|pair| facing.common(pair)) {
@@ -152,7 +158,7 @@ impl<const D: usize> Glide<D> {
         }
         covered.check()?;
         if area <= 0.0 {
-            return Err(facing.untied(first.bodies, "kept from separating"));
+            return Err(facing.untied(first.between.bodies, "kept from separating"));
         }
         let left_out = covered.left_out(&facing, weighting, area);
         Ok(Self::assembled(surface, &sums, (area, left_out), first))

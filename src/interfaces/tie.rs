@@ -6,6 +6,7 @@
 //! larger facets, so that nothing locks, however stiff the tie is: the jump at points would lock, and so would means of many small facets of
 //! first order on one of second order. Where few nodes of the larger facets would let a small patch turn as on a hinge, it is the other one.
 
+use super::between::{Between, HeldFacets, held_facets};
 use super::common_pieces::{CommonPiece, Facing};
 use super::covered::{Covered, LeftOut};
 use super::hold::{TiedPoint, firmness};
@@ -32,12 +33,15 @@ pub(crate) struct Tie<const D: usize> {
     pub(crate) is_second: bool,
     /// How far apart the surfaces may be, or how far they may overlap.
     pub(crate) reach: f64,
+    /// The same without what rounding adds.
+    pub(crate) given: f64,
     /// What is tied, in area (2D: length).
     pub(crate) area: f64,
     /// The largest gap, or overlap, that is kept.
     pub(crate) largest_gap: f64,
     /// The area of facets that are tied in part, and face the other body farther apart than the reach, and how far apart they are.
     pub(crate) left_out: Option<LeftOut>,
+    pub(crate) facets: HeldFacets,
     /// Σ c cᵀ/m over the rows, where no gap is kept.
     pub(super) products: OnceLock<Vec<(u32, u32, f64)>>,
 }
@@ -63,8 +67,7 @@ struct Sums {
 }
 
 impl<const D: usize> Tie<D> {
-    /// Ties two bodies where they face one another within `reach`, at these points of the straight mesh; 0: a tenth of the mean facet
-    /// of the body with the larger facets.
+    /// Ties two bodies where they face one another, at these points of the straight mesh.
     ///
     /// # Errors
     /// [`Error::Untied`] where they do so nowhere; [`Error::Unsupported`] where faces of one lie above one another within reach.
@@ -72,20 +75,19 @@ impl<const D: usize> Tie<D> {
         surface: &Surface<D>,
         points: &[[f64; D]],
         weighting: Weighting,
-        bodies: [usize; 2],
-        reach: f64,
+        between: &Between,
     ) -> Result<Self, Error> {
         let vertices = surface.points(points);
-        let facing = Facing::of_bodies(surface, &vertices, bodies, reach);
+        let facing = Facing::of_bodies(surface, &vertices, between);
         let candidates = facing.candidates(false);
         let sizes = [0, 1].map(|side| facing.facet_size(candidates.iter().map(|pair| pair[side])));
         // The first where both are equal.
         let coarser = usize::from(sizes[1] > sizes[0]);
         let build = Build::of(&facing, points, weighting, &candidates, coarser);
         if build.area > 0.0 && firmness(&build.tied) >= FIRM {
-            return build.finish(bodies, coarser == 1);
+            return build.finish(between.bodies, coarser == 1);
         }
-        Build::of(&facing, points, weighting, &candidates, 1 - coarser).finish(bodies, coarser == 0)
+        Build::of(&facing, points, weighting, &candidates, 1 - coarser).finish(between.bodies, coarser == 0)
     }
 }
 
@@ -97,6 +99,8 @@ struct Build<'a, const D: usize> {
     area: f64,
     largest_gap: f64,
     covered: Covered,
+    /// Facets that have something in common.
+    pairs: Vec<[usize; 2]>,
     tied: Vec<TiedPoint<D>>,
 }
 
@@ -109,8 +113,8 @@ impl<'a, const D: usize> Build<'a, D> {
         candidates: &[[usize; 2]],
         side: usize,
     ) -> Self {
-        let (sums, covered, tied) = (BTreeMap::new(), Covered::default(), Vec::new());
-        let mut build = Self { facing, points, weighting, sums, area: 0.0, largest_gap: 0.0, covered, tied };
+        let (sums, covered, pairs, tied) = (BTreeMap::new(), Covered::default(), Vec::new(), Vec::new());
+        let mut build = Self { facing, points, weighting, sums, area: 0.0, largest_gap: 0.0, covered, pairs, tied };
         let mut candidates: Vec<_> = candidates.iter().map(|pair| [pair[side], pair[1 - side]]).collect();
         candidates.sort_unstable();
         candidates.into_iter().flat_map(|pair| facing.common(pair)).for_each(|piece| build.add(&piece));
@@ -118,9 +122,12 @@ impl<'a, const D: usize> Build<'a, D> {
     }
 
     fn add(&mut self, piece: &CommonPiece<D>) {
-        let Self { facing, points, weighting, sums, area, largest_gap, covered, tied } = self;
+        let Self { facing, points, weighting, sums, area, largest_gap, covered, pairs, tied } = self;
         let (surface, [here, there]) = (facing.surface, piece.facets);
         covered.add(piece);
+        if piece.within > 0.0 {
+            pairs.push(piece.facets);
+        }
         facing.for_each_opposite(points, *weighting, piece, |point| {
             let Opposite { straight, measure, own, other, gap, at } = point;
             *area += measure;
@@ -183,9 +190,11 @@ impl<'a, const D: usize> Build<'a, D> {
             frames: frames.keys().map(|facet| surface.facets[*facet].map(corner)).collect(),
             is_second,
             reach: self.facing.reach,
+            given: self.facing.given,
             area: self.area,
             largest_gap: self.largest_gap,
             left_out,
+            facets: held_facets(self.pairs, is_second),
             products: OnceLock::new(),
         })
     }

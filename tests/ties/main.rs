@@ -11,6 +11,7 @@ mod changed;
 mod derivatives;
 mod equations;
 mod patches;
+mod surfaces;
 mod thin;
 mod uniform;
 

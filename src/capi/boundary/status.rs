@@ -239,6 +239,7 @@ impl From<&Error> for fmc_status {
             Error::InconsistentOrientation { .. } => FMC_ERROR_INCONSISTENT_ORIENTATION,
             Error::InvertedSurface { .. } => FMC_ERROR_INVERTED_SURFACE,
             Error::Empty => FMC_ERROR_EMPTY,
+            Error::NoSuchNumber { .. } => FMC_ERROR_BAD_VALUE,
             Error::NotPositive { .. } | Error::BadEntry { .. } => FMC_ERROR_NOT_POSITIVE,
             Error::Collapsed { .. } => FMC_ERROR_BAD_VALUE,
             Error::NotPositiveMass { .. } => FMC_ERROR_NOT_POSITIVE_MASS,

@@ -8,3 +8,4 @@ pub(super) mod facet_block;
 pub(super) mod point_weights;
 pub(super) mod reference;
 pub(super) mod release;
+pub(super) mod surfaces;

@@ -14,8 +14,10 @@ pub struct fmc_tie {
     pub largest_gap: f64,
     /// Number of means of the jump that are held: of nodes of the side that holds, mostly that with the larger facets.
     pub node_count: usize,
+    /// How far apart faces might be, or how far they might overlap, a length: as it was given, or what it is by default.
+    pub reach: f64,
     /// Zero.
-    pub reserved: [u64; 4],
+    pub reserved: [u64; 3],
 }
 
 /// A node of a tie, of the side that holds, mostly that with the larger facets.
@@ -43,8 +45,8 @@ pub struct fmc_tie_node {
 
 impl From<Option<TieSummary>> for fmc_tie {
     fn from(found: Option<TieSummary>) -> Self {
-        let TieSummary { area, largest_gap, count } = found.unwrap_or_default();
-        Self { struct_size: size_of::<Self>(), area, largest_gap, node_count: count, reserved: [0; 4] }
+        let TieSummary { area, largest_gap, reach, count } = found.unwrap_or_default();
+        Self { struct_size: size_of::<Self>(), area, largest_gap, node_count: count, reach, reserved: [0; 3] }
     }
 }
 

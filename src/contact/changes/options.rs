@@ -5,6 +5,7 @@ use crate::contact::evaluation::Contact;
 use crate::contact::method::{Method, Options};
 use crate::contact::partners::{LayerStiffness, PairOptions};
 use crate::geometry::Pose;
+use crate::interfaces::Cohesive;
 use crate::overlap::Partner;
 
 /// Replaces the options of all pairs that have none of their own. On an error the old ones stay.
@@ -45,6 +46,7 @@ pub(crate) fn set_pair<const D: usize>(
     options: Option<PairOptions>,
 ) -> Result<(), Error> {
     let pair = contact.partners.checked_pair(partners, contact.mesh.surface.body_count())?;
+    let options = if pair == partners { options } else { options.map(PairOptions::swapped) };
     let of_contact = *contact.method.options();
     let before = contact.partners.friction_of(&pair, &of_contact);
     if let Some(PairOptions { law, excluded, .. }) = options {
@@ -58,7 +60,8 @@ pub(crate) fn set_pair<const D: usize>(
         return Err(error);
     }
     let after = contact.partners.friction_of(&pair, &of_contact);
-    if !contact.partners.has(&pair, &of_contact) {
+    let held = |options: Option<PairOptions>| options.filter(|own| own.surfaces.is_some()).map(|own| own.interface);
+    if !contact.partners.has(&pair, &of_contact) || held(own_before) != held(options) {
         contact.history.leave_out(|partners| *partners == pair);
     } else if !after.is_active() {
         contact.history.release_frozen(|partners| *partners == pair);
@@ -77,9 +80,12 @@ fn set_interface<const D: usize>(
 ) -> Result<(), Error> {
     let [Partner::Body(a), Partner::Body(b)] = pair else { return Ok(()) };
     let Contact { mesh, method, ties, glides, cohesions, history, .. } = contact;
-    let reach = options.and_then(|options| options.tied_within());
-    let sliding = options.and_then(|options| options.slides_within());
-    let cohesive = options.and_then(|options| options.cohesive());
+    let surfaces = options.and_then(|options| options.surfaces);
+    let between = |reach| mesh.between([a, b], surfaces, reach);
+    let reach = options.and_then(|options| options.tied_within()).map(between).transpose()?;
+    let sliding = options.and_then(|options| options.slides_within()).map(between).transpose()?;
+    let with_options = |own: Cohesive| Ok::<_, Error>((own, between(own.reach)?));
+    let cohesive = options.and_then(|options| options.cohesive()).map(with_options).transpose()?;
     if sliding.is_some() {
         mesh.surface.refuse_submesh("bodies that do not separate, of a mesh in parts")?;
         if mesh.surface.cells.is_none() {
@@ -99,7 +105,8 @@ fn set_interface<const D: usize>(
         }
     }
     // What can fail comes first; all others are none.
-    if sliding.is_some() {
+    let (slides, breaks) = (sliding.is_some(), cohesive.is_some());
+    if slides {
         glides.set([a, b], sliding, mesh, method.weighting())?;
     }
     let is_new = match cohesive {
@@ -109,15 +116,16 @@ fn set_interface<const D: usize>(
             cohesions.set([a, b], None, mesh, method.weighting())?
         }
     };
-    if sliding.is_none() {
+    if !slides {
         glides.set([a, b], None, mesh, method.weighting())?;
     }
-    if cohesive.is_some() {
+    if breaks {
         ties.set([a, b], None, mesh, method.weighting())?;
     }
     if is_new {
         history.damage.remove(&[a, b]);
     }
+    take_out_of_contact(contact);
     Ok(())
 }
 
@@ -128,6 +136,14 @@ pub(crate) fn find_interfaces_again<const D: usize>(contact: &mut Contact<D>) {
     ties.find_again(mesh, method.weighting());
     cohesions.find_again(mesh, method.weighting());
     history.damage.clear();
+    take_out_of_contact(contact);
+}
+
+/// Where parts of surfaces are held together, all else of the same bodies is in contact.
+fn take_out_of_contact<const D: usize>(contact: &mut Contact<D>) {
+    let Contact { mesh, ties, glides, cohesions, .. } = contact;
+    let facets = ties.facets().chain(glides.facets()).chain(cohesions.facets());
+    mesh.set_tied(facets.map(|(bodies, facets)| (bodies, facets.clone())).collect());
 }
 
 /// Sets the coordinates without deformation, on which ties are found.

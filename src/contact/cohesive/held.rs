@@ -5,7 +5,7 @@ use crate::contact::laws::{Answer, PairEnergy};
 use crate::contact::mesh::Mesh;
 use crate::contact::tangents::{Tangent, TangentPart};
 use crate::geometry::Weighting;
-use crate::interfaces::{Cohesion, CohesionAt, Cohesive, CohesiveLaw, PointDamage, Softened};
+use crate::interfaces::{Between, Cohesion, CohesionAt, Cohesive, CohesiveLaw, HeldFacets, PointDamage, Softened};
 use std::collections::BTreeMap;
 
 /// What points have been through, by pair of bodies; nothing where a pair is not there.
@@ -17,6 +17,7 @@ pub(crate) struct Cohesions<const D: usize>(BTreeMap<[usize; 2], Held<D>>);
 
 struct Held<const D: usize> {
     options: Cohesive,
+    between: Between,
     /// As the mesh is without deformation; an error is that of every evaluation.
     cohesion: Result<Cohesion<D>, Error>,
 }
@@ -33,24 +34,34 @@ impl<const D: usize> Cohesions<D> {
     pub(crate) fn set(
         &mut self,
         bodies: [usize; 2],
-        options: Option<Cohesive>,
+        options: Option<(Cohesive, Between)>,
         mesh: &Mesh<D>,
         weighting: Weighting,
     ) -> Result<bool, Error> {
-        let Some(options) = options else { return Ok(self.0.remove(&bodies).is_some()) };
-        if self.0.get(&bodies).is_some_and(|held| held.options == options && held.cohesion.is_ok()) {
+        let Some((options, between)) = options else { return Ok(self.0.remove(&bodies).is_some()) };
+        if self
+            .0
+            .get(&bodies)
+            .is_some_and(|held| held.options == options && held.between == between && held.cohesion.is_ok())
+        {
             return Ok(false);
         }
-        let cohesion = found(mesh, weighting, bodies, options.reach)?;
-        self.0.insert(bodies, Held { options, cohesion: Ok(cohesion) });
+        let cohesion = found(mesh, weighting, &between)?;
+        self.0.insert(bodies, Held { options, between, cohesion: Ok(cohesion) });
         Ok(true)
     }
 
     /// Finds them anew, on another mesh without deformation.
     pub(crate) fn find_again(&mut self, mesh: &Mesh<D>, weighting: Weighting) {
-        for (bodies, held) in &mut self.0 {
-            held.cohesion = found(mesh, weighting, *bodies, held.options.reach);
+        for held in self.0.values_mut() {
+            held.cohesion = found(mesh, weighting, &held.between);
         }
+    }
+
+    /// Facets that are held of pairs of which parts alone are to be.
+    pub(crate) fn facets(&self) -> impl Iterator<Item = ([usize; 2], &HeldFacets)> {
+        let in_part = self.0.values().filter(|held| held.between.facets.is_some());
+        in_part.filter_map(|held| held.cohesion.as_ref().ok().map(|found| (held.between.bodies, &found.facets)))
     }
 
     /// All of them, with their laws.
@@ -150,14 +161,9 @@ fn past<'a, const D: usize>(damage: &'a Damage, cohesion: &Cohesion<D>) -> &'a [
     damage.get(&cohesion.bodies).map_or(&[], Vec::as_slice)
 }
 
-fn found<const D: usize>(
-    mesh: &Mesh<D>,
-    weighting: Weighting,
-    bodies: [usize; 2],
-    reach: f64,
-) -> Result<Cohesion<D>, Error> {
+fn found<const D: usize>(mesh: &Mesh<D>, weighting: Weighting, between: &Between) -> Result<Cohesion<D>, Error> {
     let points = mesh.placed(mesh.surface.reference().into());
-    Cohesion::new(&mesh.surface, &points, weighting, bodies, reach)
+    Cohesion::new(&mesh.surface, &points, weighting, between)
 }
 
 /// What was put into the interface, stored and dissipated: no step makes it jump. Its area is what is not broken.

@@ -81,7 +81,8 @@ fn facets_near<const D: usize>(pair: &Pair<D>, of_b: bool, reach: f64) -> Vec<us
     let Partner::Body(body) = pair.partners[usize::from(of_b)] else { return Vec::new() };
     let first = pair.surface.ranges[body].start;
     let around = pair.side(!of_b).aabb.inflated(reach);
-    pair.side(of_b).facets_in(&around).into_iter().map(|facet| first + facet as usize).collect()
+    let of_contact = pair.side(of_b).facets_in(&around).into_iter().filter(|&facet| !pair.is_tied(of_b, facet));
+    of_contact.map(|facet| first + facet as usize).collect()
 }
 
 /// How far both curved surfaces together may lie outside of their straight facets, where they are measured as curved.

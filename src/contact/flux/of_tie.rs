@@ -23,9 +23,8 @@ pub(crate) fn of_tie<const D: usize>(
     of: &TiedSurfaces<D>,
     conductance: &Conductance,
 ) -> Vec<Block<1>> {
-    let [a, b] = tie.bodies;
-    let sides = if tie.is_second { [b, a] } else { [a, b] };
-    let facets = sides.map(|body| of.surface.ranges[body].clone().collect());
+    let [a, b] = tie.facets.clone();
+    let facets = if tie.is_second { [b, a] } else { [a, b] };
     let surfaces = FacingSurfaces::new(of.surface, of.reference, of.weighting, facets, [-tie.reach, tie.reach]);
     let of_point: BTreeMap<u32, &Vector<D>> = tie.rows.iter().map(|row| row.point).zip(tractions).collect();
     let mut shares = Shares::default();

@@ -6,7 +6,7 @@ use crate::contact::mesh::Mesh;
 use crate::contact::tangents::{Tangent, TangentPart};
 use crate::contact::ties::TieChange;
 use crate::geometry::Weighting;
-use crate::interfaces::{Curvature, Glide, GlideAt};
+use crate::interfaces::{Between, Curvature, Glide, GlideAt, HeldFacets};
 use crate::overlap::Partner;
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -17,7 +17,7 @@ pub(crate) struct Glides<const D: usize>(BTreeMap<[usize; 2], Held<D>>);
 
 #[derive(Clone)]
 struct Held<const D: usize> {
-    reach: f64,
+    between: Between,
     /// At first as the mesh is without deformation; an error is that of every evaluation.
     glide: Result<Arc<Glide<D>>, Error>,
     /// Tractions along the normal that need no gap, by point; none at first.
@@ -39,26 +39,26 @@ impl<const D: usize> Glides<D> {
     pub(crate) fn set(
         &mut self,
         bodies: [usize; 2],
-        reach: Option<f64>,
+        between: Option<Between>,
         mesh: &Mesh<D>,
         weighting: Weighting,
     ) -> Result<(), Error> {
-        let Some(reach) = reach else {
+        let Some(between) = between else {
             self.0.remove(&bodies);
             return Ok(());
         };
-        if self.0.get(&bodies).is_some_and(|held| held.reach == reach && held.glide.is_ok()) {
+        if self.0.get(&bodies).is_some_and(|held| held.between == between && held.glide.is_ok()) {
             return Ok(());
         }
-        let glide = Ok(found(mesh, weighting, bodies, reach)?);
-        self.0.insert(bodies, Held { reach, glide, multipliers: BTreeMap::new() });
+        let glide = Ok(found(mesh, weighting, &between)?);
+        self.0.insert(bodies, Held { between, glide, multipliers: BTreeMap::new() });
         Ok(())
     }
 
     /// Finds all from the beginning, on another mesh without deformation.
     pub(crate) fn find_again(&mut self, mesh: &Mesh<D>, weighting: Weighting) {
-        for (bodies, held) in &mut self.0 {
-            (held.glide, held.multipliers) = (found(mesh, weighting, *bodies, held.reach), BTreeMap::new());
+        for held in self.0.values_mut() {
+            (held.glide, held.multipliers) = (found(mesh, weighting, &held.between), BTreeMap::new());
         }
     }
 
@@ -91,6 +91,12 @@ impl<const D: usize> Glides<D> {
         })
     }
 
+    /// Facets that are held of pairs of which parts alone are to be.
+    pub(crate) fn facets(&self) -> impl Iterator<Item = ([usize; 2], &HeldFacets)> {
+        let in_part = self.0.values().filter(|held| held.between.facets.is_some());
+        in_part.filter_map(|held| held.glide.as_ref().ok().map(|glide| (held.between.bodies, &glide.first.facets)))
+    }
+
     /// That of two bodies.
     pub(crate) fn of(&self, bodies: [usize; 2]) -> Option<Result<&Glide<D>, Error>> {
         self.0.get(&bodies).map(|held| held.glide.as_deref().map_err(Error::clone))
@@ -105,7 +111,7 @@ impl<const D: usize> Glides<D> {
     ) -> Result<Vec<Answer<D>>, Error> {
         let one = |found: Result<One<'_, D>, Error>| {
             let (glide, multipliers) = found?;
-            let at = glide.at(points, stiffness(glide.first.bodies.map(Partner::Body)), multipliers);
+            let at = glide.at(points, stiffness(glide.first.between.bodies.map(Partner::Body)), multipliers);
             let energy = energy.then(|| pair_energy(glide, &at));
             let tangent = part.map(|part| {
                 let which = if part == TangentPart::Semidefinite { Curvature::Semidefinite } else { Curvature::All };
@@ -126,7 +132,7 @@ impl<const D: usize> Glides<D> {
         let (mut work, mut force) = (0.0, 0.0);
         for held in next.0.values_mut() {
             let glide = held.glide.clone()?;
-            let at = glide.at(points, stiffness(glide.first.bodies.map(Partner::Body)), &held.multipliers);
+            let at = glide.at(points, stiffness(glide.first.between.bodies.map(Partner::Body)), &held.multipliers);
             for (row, (gap, traction)) in glide.rows.iter().zip(at.gaps.iter().zip(&at.tractions)) {
                 found.largest = found.largest.max(gap.abs());
                 work += row.measure * (traction * gap).abs();
@@ -152,19 +158,14 @@ impl<const D: usize> Glides<D> {
     }
 }
 
-fn found<const D: usize>(
-    mesh: &Mesh<D>,
-    weighting: Weighting,
-    bodies: [usize; 2],
-    reach: f64,
-) -> Result<Arc<Glide<D>>, Error> {
+fn found<const D: usize>(mesh: &Mesh<D>, weighting: Weighting, between: &Between) -> Result<Arc<Glide<D>>, Error> {
     let points = mesh.placed(mesh.surface.reference().into());
-    Glide::new(&mesh.surface, &points, weighting, bodies, reach).map(Arc::new)
+    Glide::new(&mesh.surface, &points, weighting, between).map(Arc::new)
 }
 
 fn pair_energy<const D: usize>(glide: &Glide<D>, at: &GlideAt<'_, D>) -> PairEnergy<D> {
     let pressed = glide.rows.iter().zip(&at.tractions).map(|(row, traction)| row.measure * traction.abs()).sum::<f64>();
-    let bodies = glide.first.bodies;
+    let bodies = glide.first.between.bodies;
     PairEnergy::of_interface(
         bodies,
         (at.energy, at.gradient()),

@@ -86,6 +86,16 @@ impl<const D: usize> Contact<D> {
         self.mesh.set_symmetry_nodes(nodes)
     }
 
+    /// Names a part of the surface by its boundary facets, as they are counted by [`Self::boundary_facets`], in any order, and returns its
+    /// number: 1, 2, … It may have facets of several bodies. It stays what it is on other reference coordinates.
+    ///
+    /// # Errors
+    /// [`Error::NoSuchNumber`], naming the entry of a facet that does not exist; [`Error::Unsupported`] without facets, and for a mesh in
+    /// parts. Nothing changes then.
+    pub fn add_surface(&mut self, facets: &[usize]) -> Result<usize, Error> {
+        self.mesh.add_surface(facets)
+    }
+
     /// The options in force.
     pub fn options(&self) -> &Options {
         self.method.options()
@@ -108,7 +118,8 @@ impl<const D: usize> Contact<D> {
     /// [`Error::BodyOutOfRange`], [`Error::ObstacleOutOfRange`], [`Error::ObstacleRemoved`]; [`Error::Unsupported`] for two obstacles.
     pub fn pair_options(&self, partners: [Partner; 2]) -> Result<Option<PairOptions>, Error> {
         let pair = self.partners.checked_pair(partners, self.mesh.surface.body_count())?;
-        Ok(self.partners.table.options(&pair))
+        let options = self.partners.table.options(&pair);
+        Ok(if pair == partners { options } else { options.map(PairOptions::swapped) })
     }
 
     /// Sets the options of a pair, body with body or body with obstacle, in either order; `None`: it follows the options

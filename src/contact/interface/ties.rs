@@ -17,11 +17,11 @@ impl<const D: usize> Contact<D> {
         let pair = self.partners.checked_pair(bodies.map(Partner::Body), self.mesh.surface.body_count())?;
         let [Partner::Body(a), Partner::Body(b)] = pair else { return Ok(None) };
         let found = self.ties.of([a, b]).transpose()?;
-        let of_tie =
-            found.map(|tie| TieSummary { area: tie.area, largest_gap: tie.largest_gap, count: tie.rows.len() });
+        let summary = |[area, largest_gap, reach]: [f64; 3], count| TieSummary { area, largest_gap, reach, count };
+        let of_tie = found.map(|tie| summary([tie.area, tie.largest_gap, tie.given], tie.rows.len()));
         let glide = self.glides.of([a, b]).transpose()?;
-        let summary = |area, largest_gap, count| TieSummary { area, largest_gap, count };
-        Ok(of_tie.or(glide.map(|glide| summary(glide.area, glide.first.largest_gap, glide.rows.len()))))
+        Ok(of_tie
+            .or(glide.map(|glide| summary([glide.area, glide.first.largest_gap, glide.first.reach], glide.rows.len()))))
     }
 
     /// Traction and jump of all ties at `coords`, by pair and node; of bodies that do not separate along their normals.
@@ -50,7 +50,7 @@ impl<const D: usize> Contact<D> {
         }
         for held in self.glides.all() {
             let (glide, multipliers) = held?;
-            let [a, b] = glide.first.bodies;
+            let [a, b] = glide.first.between.bodies;
             let at = glide.at(&points, self.stiffness_of_pair([a, b].map(Partner::Body)), multipliers);
             let bodies = if glide.first.is_second { [b, a] } else { [a, b] };
             for (number, (row, (gap, traction))) in glide.rows.iter().zip(at.gaps.iter().zip(&at.tractions)).enumerate()

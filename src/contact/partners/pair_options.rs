@@ -32,6 +32,10 @@ pub struct PairOptions {
     pub gap_offset: f64,
     /// What happens between the two.
     pub interface: Interface,
+    /// With an interface that holds bodies together: a named part of the surface of either, in the order of the partners
+    /// ([`Contact::add_surface`](crate::Contact::add_surface)). Facets of both that face one another are then held, and are in no contact;
+    /// all others of the pair are in contact, by the law `depth`. `None`: all faces of both bodies may be held, and nothing is in contact.
+    pub surfaces: Option<[usize; 2]>,
 }
 
 /// What happens between two bodies.
@@ -135,9 +139,21 @@ impl PairOptions {
         }
     }
 
-    /// Whether the two press and rub: they are neither left out nor tied, nor held together by an interface that breaks.
+    /// The same between named parts of their surfaces alone.
+    pub fn between(self, surfaces: [usize; 2]) -> Self {
+        Self { surfaces: Some(surfaces), ..self }
+    }
+
+    /// Those of the same pair with its partners in the other order.
+    pub(crate) fn swapped(self) -> Self {
+        Self { surfaces: self.surfaces.map(|[a, b]| [b, a]), ..self }
+    }
+
+    /// Whether the two press and rub somewhere: they are neither left out nor tied, nor held together by an interface that breaks, unless
+    /// by parts of their surfaces.
     pub(crate) fn is_in_contact(&self) -> bool {
-        !self.excluded && matches!(self.interface, Interface::Contact | Interface::Rough)
+        let is_held = !matches!(self.interface, Interface::Contact | Interface::Rough);
+        !self.excluded && (!is_held || self.surfaces.is_some())
     }
 
     /// A pair with a law of its own.

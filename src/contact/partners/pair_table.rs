@@ -162,7 +162,9 @@ fn check_interface(pair: &[Partner; 2], options: &PairOptions, law: &EnergyLaw) 
         Interface::NoSeparation { .. } => of_sliding,
         _ => of_cohesive,
     };
+    let is_held = !matches!(interface, Interface::Contact | Interface::Rough);
     let what = match pair {
+        _ if !is_held && options.surfaces.is_some() => "named surfaces of a pair that nothing holds together",
         _ if interface == Interface::Contact => return Ok(()),
         _ if interface == Interface::Rough && options.excluded => "a pair that is both left out and rough",
         _ if interface == Interface::Rough && rubs => "friction of a rough pair, which never slides",
@@ -182,7 +184,10 @@ fn check_interface(pair: &[Partner; 2], options: &PairOptions, law: &EnergyLaw) 
             "a pair that is both left out and does not separate",
             "a pair that is both left out and has a cohesive interface",
         ),
-        _ if rubs => of(
+        _ if options.surfaces.is_some() && !matches!(law, EnergyLaw::Depth { .. }) => {
+            "named surfaces with another law than depth, by which the other faces press"
+        }
+        _ if rubs && options.surfaces.is_none() => of(
             "friction of bodies that are tied: they do not slide",
             "friction of bodies that do not separate: they slide freely",
             "friction of bodies with a cohesive interface, which has none",

@@ -5,7 +5,7 @@ use crate::contact::laws::{Answer, PairEnergy};
 use crate::contact::mesh::Mesh;
 use crate::contact::tangents::{Tangent, TangentPart};
 use crate::geometry::{Vector, Weighting};
-use crate::interfaces::{Curvature, Tie, TieAt};
+use crate::interfaces::{Between, Curvature, HeldFacets, Tie, TieAt};
 use crate::overlap::Partner;
 use std::collections::BTreeMap;
 
@@ -14,7 +14,7 @@ use std::collections::BTreeMap;
 pub(crate) struct Ties<const D: usize>(BTreeMap<[usize; 2], Held<D>>);
 
 struct Held<const D: usize> {
-    reach: f64,
+    between: Between,
     /// As the mesh is without deformation; an error is that of every evaluation.
     tie: Result<Tie<D>, Error>,
     /// Tractions that need no jump, by row; none at first.
@@ -45,26 +45,26 @@ impl<const D: usize> Ties<D> {
     pub(crate) fn set(
         &mut self,
         bodies: [usize; 2],
-        reach: Option<f64>,
+        between: Option<Between>,
         mesh: &Mesh<D>,
         weighting: Weighting,
     ) -> Result<(), Error> {
-        let Some(reach) = reach else {
+        let Some(between) = between else {
             self.0.remove(&bodies);
             return Ok(());
         };
-        if self.0.get(&bodies).is_some_and(|held| held.reach == reach && held.tie.is_ok()) {
+        if self.0.get(&bodies).is_some_and(|held| held.between == between && held.tie.is_ok()) {
             return Ok(());
         }
-        let tie = found(mesh, weighting, bodies, reach)?;
-        self.0.insert(bodies, Held { reach, tie: Ok(tie), multipliers: Vec::new() });
+        let tie = found(mesh, weighting, &between)?;
+        self.0.insert(bodies, Held { between, tie: Ok(tie), multipliers: Vec::new() });
         Ok(())
     }
 
     /// Finds them anew, on another mesh without deformation.
     pub(crate) fn find_again(&mut self, mesh: &Mesh<D>, weighting: Weighting) {
-        for (bodies, held) in &mut self.0 {
-            (held.tie, held.multipliers) = (found(mesh, weighting, *bodies, held.reach), Vec::new());
+        for held in self.0.values_mut() {
+            (held.tie, held.multipliers) = (found(mesh, weighting, &held.between), Vec::new());
         }
     }
 
@@ -82,6 +82,12 @@ impl<const D: usize> Ties<D> {
     /// Whether bodies are tied to any other.
     pub(crate) fn tied_bodies(&self, body_count: usize) -> Vec<bool> {
         (0..body_count).map(|body| self.0.keys().any(|bodies| bodies.contains(&body))).collect()
+    }
+
+    /// Facets that are tied of pairs of which parts alone are to be.
+    pub(crate) fn facets(&self) -> impl Iterator<Item = ([usize; 2], &HeldFacets)> {
+        let in_part = self.0.values().filter(|held| held.between.facets.is_some());
+        in_part.filter_map(|held| held.tie.as_ref().ok().map(|tie| (held.between.bodies, &tie.facets)))
     }
 
     /// The tie of two bodies.
@@ -152,14 +158,9 @@ impl<const D: usize> Ties<D> {
     }
 }
 
-fn found<const D: usize>(
-    mesh: &Mesh<D>,
-    weighting: Weighting,
-    bodies: [usize; 2],
-    reach: f64,
-) -> Result<Tie<D>, Error> {
+fn found<const D: usize>(mesh: &Mesh<D>, weighting: Weighting, between: &Between) -> Result<Tie<D>, Error> {
     let points = mesh.placed(mesh.surface.reference().into());
-    Tie::new(&mesh.surface, &points, weighting, bodies, reach)
+    Tie::new(&mesh.surface, &points, weighting, between)
 }
 
 fn pair_energy<const D: usize>(tie: &Tie<D>, at: &TieAt<'_, D>) -> PairEnergy<D> {

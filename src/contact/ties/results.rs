@@ -7,6 +7,8 @@ pub struct TieSummary {
     pub area: f64,
     /// The largest gap, or overlap, that is kept between the surfaces.
     pub largest_gap: f64,
+    /// How far apart faces might be, or how far they might overlap: as it was given, or what it is by default.
+    pub reach: f64,
     /// Number of means of the jump that are held: of nodes of the side that holds, mostly that with the larger facets.
     pub count: usize,
 }

@@ -46,7 +46,11 @@ impl<const D: usize> FacetSums<D> {
         depths: &[f64; D],
         (of_b, weight): (bool, f64),
     ) {
-        self.add_facet(facet, areas, depths, of_b);
+        // Of a facet on which nothing counts but what a tie leaves, there is a force alone.
+        let is_told = areas.iter().any(|area| *area != 0.0) || depths.iter().all(|depth| *depth == 0.0);
+        if is_told {
+            self.add_facet(facet, areas, depths, of_b);
+        }
         for (corner, weights) in facet.weights.iter().enumerate() {
             let force = facet.normal * (weight * (depths[corner] * facet.measure));
             for (&node, &part) in facet.nodes.iter().zip(weights).filter(|(_, part)| **part != 0.0) {

@@ -48,7 +48,8 @@ fn of_side<const D: usize>(pair: &Pair<D>, of_b: bool, reach: f64) -> Result<Vec
     let surface = NearSurface::of(pair, !of_b, reach);
     let of_facets = |numbers: &[u32]| -> Result<Vec<(BodyFacet<D>, FacetGap<D>)>, Error> {
         let parts = pair.on_threads(numbers, CHUNK, |numbers| {
-            let facets = numbers.iter().filter_map(|&number| BodyFacet::new(pair.surface, side, number));
+            let of_contact = numbers.iter().filter(|&&number| !pair.is_tied(of_b, number));
+            let facets = of_contact.filter_map(|&number| BodyFacet::new(pair.surface, side, number));
             facets.map(|facet| facet_gap(pair, (&facet, of_b), &surface).map(|gap| (facet, gap))).collect()
         });
         let parts: Vec<Vec<_>> = parts.into_iter().collect::<Result<_, _>>()?;

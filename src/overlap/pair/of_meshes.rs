@@ -34,6 +34,7 @@ pub(crate) fn with_pair<T>(a: &Mesh<3>, b: &Mesh<3>, work: impl FnOnce(&Pair<3>)
         coords: &a.coords,
         depth: None,
         clearance: 0.0,
+        tied: None,
         weighting: Weighting::Plain,
         sharing: Sharing::Alone(None),
         region: OnceLock::new(),

@@ -4,7 +4,7 @@ use super::partner::Partner;
 use super::region::Region;
 use super::surface_point::SurfacePoint;
 use crate::configuration::FacetSide;
-use crate::depth_field::DepthField;
+use crate::depth_field::{DepthField, TiedLayer};
 use crate::geometry::convex_piece::place;
 use crate::geometry::facet::area_vector;
 use crate::geometry::plane::Plane;
@@ -51,6 +51,13 @@ impl<const D: usize> Counterpart<'_, D> {
     }
 }
 
+/// What of two bodies is in no contact, since it is tied.
+#[derive(Clone, Copy)]
+pub(crate) struct TiedFacets<'a> {
+    pub(crate) facets: &'a [Vec<usize>; 2],
+    pub(crate) layers: &'a [TiedLayer; 2],
+}
+
 /// Two sides, whichever way their overlap is measured.
 pub(crate) struct Pair<'a, const D: usize> {
     pub(crate) partners: [Partner; 2],
@@ -65,6 +72,8 @@ pub(crate) struct Pair<'a, const D: usize> {
     pub(crate) depth: Option<&'a DepthField<D>>,
     /// How deep below the surfaces the contact of two bodies begins; 0 for an obstacle, which then is another.
     pub(crate) clearance: f64,
+    /// Facets of both bodies that are tied to one another, by number in the surface, ascending, and what lies below them: they are in no contact.
+    pub(crate) tied: Option<TiedFacets<'a>>,
     /// What its measures count for.
     pub(crate) weighting: Weighting,
     /// Who shares the work.
@@ -82,6 +91,13 @@ impl<'a, const D: usize> Pair<'a, D> {
         };
         let is_surface = move |facet: usize| first.is_none_or(|first| self.surface.is_surface_facet(first + facet));
         (0..self.side(of_b).facets.len()).filter(move |&facet| is_surface(facet)).map(|facet| facet as u32)
+    }
+
+    /// Whether a facet of a side is tied to the other.
+    pub(crate) fn is_tied(&self, of_b: bool, facet: u32) -> bool {
+        let (Some(tied), Partner::Body(body)) = (self.tied, self.partners[usize::from(of_b)]) else { return false };
+        let in_surface = self.surface.ranges[body].start + facet as usize;
+        tied.facets[usize::from(of_b)].binary_search(&in_surface).is_ok()
     }
 
     /// The side to which a facet belongs.

@@ -101,6 +101,7 @@ FUNCTIONS: dict[str, tuple[Any, list[Any]]] = {
     "fmc_context_set_reference": (c_int32, [fmc_context, POINTER(fmc_coords)]),
     "fmc_context_set_symmetry_planes": (c_int32, [fmc_context, Float64Array, Float64Array, c_size_t]),
     "fmc_context_set_symmetry_nodes": (c_int32, [fmc_context, IndexArray, c_size_t]),
+    "fmc_context_add_surface": (c_int32, [fmc_context, POINTER(c_size_t), c_size_t, POINTER(c_int32)]),
     "fmc_context_set_surface_smoothing": (c_int32, [fmc_context, c_double]),
     "fmc_csr_init": (c_int32, [POINTER(fmc_csr)]),
     "fmc_context_set_basis": (c_int32, [fmc_context, POINTER(fmc_csr), c_size_t]),

@@ -185,7 +185,9 @@ class fmc_pair_options(Structure):
         ("normal_energy", c_double),
         ("shear_energy", c_double),
         ("mixed_mode_exponent", c_double),
-        ("reserved", c_uint64 * 4),
+        ("surface_a", c_int32),
+        ("surface_b", c_int32),
+        ("reserved", c_uint64 * 3),
     ]
 
 
@@ -467,7 +469,8 @@ class fmc_tie(Structure):
         ("area", c_double),
         ("largest_gap", c_double),
         ("node_count", c_size_t),
-        ("reserved", c_uint64 * 4),
+        ("reach", c_double),
+        ("reserved", c_uint64 * 3),
     ]
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from ctypes import byref, c_double, c_size_t
+from ctypes import POINTER, byref, c_double, c_int32, c_size_t
 from dataclasses import dataclass
 from typing import Any, Optional
 
@@ -297,6 +297,46 @@ class Mesh:
         """
         with self._core.handle:
             self._core.handle.call(library.fmc_context_set_surface_smoothing, feature_angle)
+
+    def add_surface(self, facets: ArrayLike) -> int:
+        """Names a part of the surface, so that ``contact.pairs.set`` can hold it together with another part.
+
+        Parameters
+        ----------
+        facets : array_like of int or bool, (m,)
+            Rows of ``boundary_facets``, counted from 0 whatever the ``index_base``, or one bool for each row. They may belong to several
+            bodies. Name all four facets of a quadrilateral face, and all parts of a face of second order.
+
+        Returns
+        -------
+        int
+            Number of the part: 1, 2, ... It stays what it is on other reference coordinates.
+
+        Raises
+        ------
+        TypeError
+            If the numbers are no integers.
+        BadValueError
+            If there is no such facet.
+        UnsupportedError
+            Without facets, and for a mesh in parts.
+
+        Examples
+        --------
+        >>> contact.mesh.add_surface([1, 2])
+        1
+        """
+        places = np.asarray(facets)
+        if places.dtype == bool:
+            places = np.flatnonzero(places)
+        if places.ndim != 1 or not (places.size == 0 or np.issubdtype(places.dtype, np.integer)):
+            raise TypeError("'facets' must be a list of integers, or of bools")
+        # A negative number becomes one that is too large, and is refused.
+        named, surface = places.astype(np.uintp), c_int32()
+        pointer = named.ctypes.data_as(POINTER(c_size_t))
+        with self._core.handle:
+            self._core.handle.call(library.fmc_context_add_surface, pointer, len(named), byref(surface))
+        return surface.value
 
     def set_symmetry_nodes(self, nodes: ArrayLike) -> None:
         """Names the nodes that lie in planes of symmetry, in place of what was said before.

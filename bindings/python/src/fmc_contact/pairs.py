@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from ctypes import byref
+from operator import index
 from typing import Any, Optional, Union
 
 from ._constants import (
@@ -74,6 +75,7 @@ class Pairs:
         shear_energy: float = 0.0,
         mixed_mode_exponent: float = 0.0,
         softening: str = "linear",
+        surfaces: Optional[tuple[int, int]] = None,
     ) -> None:
         """Gives a pair options of its own, in place of those it had.
 
@@ -125,6 +127,10 @@ class Pairs:
             Exponent, at least 1, by which the two are mixed (Benzeggagh and Kenane). 0: 2.
         softening : str
             How the traction falls: ``"linear"`` or ``"exponential"``.
+        surfaces : tuple of int, optional
+            With ``"tied"``, ``"cohesive"`` and ``"no_separation"``: the parts of the surfaces of ``a`` and ``b`` that belong together, as
+            numbers of ``contact.mesh.add_surface``. All other faces of the two bodies are in contact, by the law ``"depth"``.
+            Default: all faces may belong together, and no others are in contact.
 
         Raises
         ------
@@ -162,6 +168,8 @@ class Pairs:
         own.normal_strength, own.shear_strength = float(normal_strength), float(shear_strength)
         own.normal_energy, own.shear_energy = float(normal_energy), float(shear_energy)
         own.static_coefficient, own.weakening_slip = float(static_coefficient), float(weakening_slip)
+        if surfaces is not None:
+            own.surface_a, own.surface_b = (index(surface) for surface in surfaces)
         if friction_coefficient is not None:
             own.friction_coefficient = float(friction_coefficient)
         if law is not None:
@@ -233,6 +241,7 @@ class Pairs:
         options.update(static_coefficient=found.static_coefficient, weakening_slip=found.weakening_slip)
         options.update(interface=FMC_INTERFACE[found.interface_kind], reach=found.reach, softening=FMC_SOFTENING[found.softening])
         options.update({key: getattr(found, key) for key in _OF_COHESIVE})
+        options["surfaces"] = (found.surface_a, found.surface_b) if found.surface_a else None
         options["law"] = FMC_LAW[found.law] if has_law else None
         options.update({key: getattr(found, key) if has_law else None for key in _OF_LAW})
         if options["interface"] == "cohesive":
@@ -267,4 +276,4 @@ class Pairs:
         found = fmc_tie()
         with self._core.handle:
             self._core.handle.call(library.fmc_context_tie, index_of("body", a), index_of("body", b), byref(found))
-        return Tie(found.area, found.largest_gap, found.node_count)
+        return Tie(found.area, found.largest_gap, found.node_count, found.reach)

@@ -27,6 +27,9 @@ class Tie:
     node_count : int
         Number of means of the jump that are held: of nodes of the side that holds, mostly that with the larger facets.
 
+    reach : float
+        Largest gap or overlap up to which faces belong together (length): as it was given, or its default.
+
     Examples
     --------
     >>> contact.pairs.tie(0, 1).node_count
@@ -36,6 +39,7 @@ class Tie:
     area: float
     largest_gap: float
     node_count: int
+    reach: float
 
 
 @dataclass(frozen=True, eq=False)

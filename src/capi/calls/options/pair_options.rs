@@ -78,8 +78,14 @@ pub struct fmc_pair_options {
     pub shear_energy: f64,
     /// Exponent, at least 1, by which the two are mixed (Benzeggagh and Kenane); 0, the default: 2.
     pub mixed_mode_exponent: f64,
+    /// With `FMC_INTERFACE_TIED`, `FMC_INTERFACE_COHESIVE` and `FMC_INTERFACE_NO_SEPARATION`: the part of the surface of `a`, a number of
+    /// `fmc_context_add_surface`, whose faces may be held; 0, the default: all of it. Facets of both parts that are held are in no contact;
+    /// all others of the pair press and rub, by the law "depth". Without parts nothing else of the pair is in contact.
+    pub surface_a: i32,
+    /// The same of `b`. Both are 0, or neither.
+    pub surface_b: i32,
     /// Zero. Room for options of later versions.
-    pub reserved: [u64; 4],
+    pub reserved: [u64; 3],
 }
 
 impl Default for fmc_pair_options {
@@ -103,7 +109,9 @@ impl Default for fmc_pair_options {
             normal_energy: 0.0,
             shear_energy: 0.0,
             mixed_mode_exponent: 0.0,
-            reserved: [0; 4],
+            surface_a: 0,
+            surface_b: 0,
+            reserved: [0; 3],
         }
     }
 }
@@ -126,6 +134,9 @@ impl From<PairOptions> for fmc_pair_options {
             shear_energy,
             mixed_mode_exponent,
         } = options.interface.into();
+        let number = |surface: usize| i32::try_from(surface).unwrap_or(i32::MAX);
+        let [surface_a, surface_b] = options.surfaces.map_or([0; 2], |both| both.map(number));
+        let own = Self { surface_a, surface_b, ..own };
         let own = Self { static_coefficient, weakening_slip, interface_kind, softening, stiffness, reach, ..own };
         let own = Self { normal_strength, shear_strength, normal_energy, shear_energy, mixed_mode_exponent, ..own };
         match options.law.map(LawFields::from) {
@@ -150,7 +161,26 @@ impl fmc_pair_options {
             static_friction: static_friction(self.static_coefficient, self.weakening_slip),
             gap_offset: self.gap_offset,
             interface: self.interface_fields().interface()?,
+            surfaces: self.surfaces()?,
         })
+    }
+
+    fn surfaces(&self) -> Result<Option<[usize; 2]>, Failure> {
+        let both = [self.surface_a, self.surface_b];
+        if both == [0; 2] {
+            return Ok(None);
+        }
+        // A part of one alone would leave it to the reach what is held of the other.
+        match both.map(usize::try_from) {
+            [Ok(a @ 1..), Ok(b @ 1..)] => Ok(Some([a, b])),
+            _ => {
+                let text = format!(
+                    "options 'surface_a' and 'surface_b' are {} and {}: both are numbers from 1, or both are 0",
+                    both[0], both[1]
+                );
+                Err(Failure::new(FMC_ERROR_OPTIONS_CONFLICT, text))
+            }
+        }
     }
 
     fn interface_fields(&self) -> InterfaceFields {
@@ -305,8 +335,16 @@ mod tests {
                     } else {
                         of_kind[friction_coefficient.map_or(0, |mu| 1 + usize::from(mu > 0.0))]
                     };
-                    let options =
-                        PairOptions { excluded, law, friction_coefficient, static_friction, gap_offset, interface };
+                    let surfaces = (interface != Interface::Contact).then_some([3, 7]);
+                    let options = PairOptions {
+                        excluded,
+                        law,
+                        friction_coefficient,
+                        static_friction,
+                        gap_offset,
+                        interface,
+                        surfaces,
+                    };
                     assert_eq!(fmc_pair_options::from(options).to_pair_options().unwrap(), options);
                 }
             }
@@ -347,6 +385,8 @@ mod tests {
             (|o| o.excluded = 2, VALUE, "option 'excluded' has no value 2"),
             (|o| o.reserved[0] = 1, reserved, "later version"),
             (|o| o.interface_kind = 5, VALUE, "option 'interface_kind' has no value 5"),
+            (|o| o.surface_b = 1, conflict, "'surface_a' and 'surface_b' are 0 and 1"),
+            (|o| (o.surface_a, o.surface_b) = (1, -1), conflict, "are 1 and -1"),
             (|o| o.softening = 2, VALUE, "option 'softening' has no value 2"),
             (
                 |o| o.reach = 0.1,

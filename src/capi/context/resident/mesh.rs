@@ -6,7 +6,7 @@ use crate::capi::boundary::pointer::slice;
 use crate::capi::structs::boundary_facet::fmc_boundary_facet;
 use crate::capi::structs::mesh::Numbering;
 use crate::capi::structs::view::fmc_coords;
-use crate::{Basis, PointWeights};
+use crate::{Basis, Error, PointWeights};
 
 impl<const D: usize> Resident<D> {
     /// The boundary facets.
@@ -54,6 +54,14 @@ impl<const D: usize> Resident<D> {
     /// Has straight faces stand for smooth surfaces.
     pub(crate) fn set_surface_smoothing(&mut self, feature_angle: f64) -> Result<(), Failure> {
         Ok(self.held.contact_mut().set_surface_smoothing(feature_angle)?)
+    }
+
+    /// Names a part of the surface by its facets.
+    pub(crate) fn add_surface(&mut self, facets: &[usize]) -> Result<usize, Failure> {
+        match &mut self.held {
+            Held::Whole(contact) => Ok(contact.add_surface(facets)?),
+            Held::InParts(_) => Err(Error::Unsupported { what: "a named surface of a mesh in parts" }.into()),
+        }
     }
 
     /// Names the nodes in planes of symmetry, as the host counts them.

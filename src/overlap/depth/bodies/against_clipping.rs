@@ -86,6 +86,7 @@ fn with_bodies<const D: usize, T>(
         coords: &coords,
         depth: Some(&field),
         clearance,
+        tied: None,
         weighting: Weighting::Plain,
         sharing: Sharing::Alone(None),
         region: OnceLock::new(),

@@ -61,7 +61,7 @@ pub(crate) fn cell_integrals<const D: usize>(
     let mut values = Vec::new();
     let numbered = pieces.pieces.iter().zip(&moments.first).enumerate();
     for (number, (piece, first)) in numbered.filter(|(_, (_, m))| m.iter().any(|m| *m != 0.0)) {
-        sums.volume += first.iter().sum::<f64>();
+        sums.volume += if piece.is_below_tie { 0.0 } else { first.iter().sum::<f64>() };
         sums.depth += first.iter().zip(&piece.depths).map(|(m, g)| m * g).sum::<f64>();
         let nodes = cells.nodes(piece.cell as usize);
         let at_nodes = piece.at_nodes(first);

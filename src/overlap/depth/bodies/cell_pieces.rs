@@ -6,6 +6,7 @@ use crate::geometry::cells::Cells;
 use crate::geometry::tree::Tree;
 use crate::geometry::{Surface, Vector};
 use crate::overlap::pair::bounds::Bounds;
+use crate::overlap::pair::partner::Partner;
 use crate::overlap::pair::sides::Pair;
 use rustc_hash::FxHashSet;
 
@@ -39,10 +40,12 @@ impl<const D: usize> CellPieces<D> {
         clearance: f64,
     ) -> Self {
         let (surface, coords, rounding) = (pair.surface, pair.coords, region.rounding());
+        let which = usize::from(pair.partners[0] != Partner::Body(body));
+        let layer = pair.tied.map(|tied| &tied.layers[which]);
         let of_cells = |some: &[u32]| {
             let mut found = Vec::new();
             for &cell in some {
-                field.for_each_piece(cells, cell as usize, coords, |piece| {
+                let mut add = |piece: DepthPiece<D>| {
                     let corners = &piece.corners[..=D];
                     let mut aabb = Aabb::of(corners);
                     if let (Some(bounds), true) = (bounds, aabb.meets(region)) {
@@ -52,6 +55,10 @@ impl<const D: usize> CellPieces<D> {
                         let piece = piece.lowered(clearance);
                         found.push((near(&piece, rounding), aabb, piece));
                     }
+                };
+                field.for_each_piece(cells, cell as usize, coords, |piece| match layer {
+                    Some(layer) => layer.for_each_part(piece, cells, &mut add),
+                    None => add(piece),
                 });
             }
             found

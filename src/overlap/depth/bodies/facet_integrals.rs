@@ -93,8 +93,7 @@ impl<const D: usize> FacetsInCells<'_, D> {
                 continue;
             }
             let near = aabb.inflated(NEAR * facet.size() + rounding);
-            let before = found.sums.piece_count;
-            let mut moments = FacetMoments { area: [0.0; D], depth: [0.0; D], points: PointSums::default() };
+            let mut moments = FacetMoments { count: 0, area: [0.0; D], depth: [0.0; D], points: PointSums::default() };
             self.other.tree.visit(
                 |node| node.meets(&near),
                 |j| {
@@ -112,7 +111,7 @@ impl<const D: usize> FacetsInCells<'_, D> {
                     }
                 },
             );
-            if found.sums.piece_count > before {
+            if moments.count > 0 {
                 let side = (self.of_b, self.weight);
                 if self.request.second != SecondDerivative::No {
                     let Scratch { blocks, values, .. } = &mut scratch;
@@ -153,19 +152,25 @@ impl<const D: usize> FacetsInCells<'_, D> {
             if piece.is_cut() && !inside.cut_where(&piece.depths) {
                 return;
             }
-            sums.piece_count += 1;
-            sums.deepest = inside.in_piece().iter().fold(sums.deepest, |most, at| most.max(depth(at)));
+            moments.count += 1;
+            if !piece.is_below_tie {
+                sums.piece_count += 1;
+                sums.deepest = inside.in_piece().iter().fold(sums.deepest, |most, at| most.max(depth(at)));
+            }
             let Products { products, moved } = self.products(facet, inside.on_facet(), &at_corners);
             let products = products.map(|row| row.map(|m| m * part));
             let areas = products.map(|row| row.iter().sum::<f64>());
             let local = products.map(|row| row.iter().zip(&at_corners).map(|(m, g)| m * g).sum::<f64>());
-            sums.area += facet.measure * areas.iter().sum::<f64>();
-            sums.depth += facet.measure * local.iter().sum::<f64>();
             for a in 0..D {
-                moments.area[a] += areas[a];
                 moments.depth[a] += local[a];
             }
-            if self.request.points {
+            // What a tie leaves presses nowhere that hosts would see.
+            if !piece.is_below_tie {
+                sums.area += facet.measure * areas.iter().sum::<f64>();
+                sums.depth += facet.measure * local.iter().sum::<f64>();
+                (0..D).for_each(|a| moments.area[a] += areas[a]);
+            }
+            if self.request.points && !piece.is_below_tie {
                 moments.points.add(piece, (&areas, &local), &barycentric, inside.on_facet());
             }
             if self.request.second != SecondDerivative::No {
@@ -231,6 +236,8 @@ struct Products<const D: usize> {
 
 /// ∫ N_a and ∫ g N_a over what a facet has inside, in parts of its measure, and its points.
 struct FacetMoments<const D: usize> {
+    /// Number of parts.
+    count: usize,
     area: [f64; D],
     depth: [f64; D],
     points: PointSums<D>,

@@ -1,0 +1,92 @@
+//! Parts of the surface that hosts name, and what of pairs is tied.
+
+use crate::Error;
+use crate::depth_field::{DepthField, TiedLayer};
+use crate::geometry::Surface;
+use crate::interfaces::HeldFacets;
+use crate::overlap::TiedFacets;
+use std::collections::BTreeMap;
+use std::sync::{Arc, OnceLock};
+
+/// Named parts of the surface, numbered from 1: their facets, ascending.
+#[derive(Default)]
+pub(super) struct Surfaces(Vec<Arc<[usize]>>);
+
+impl Surfaces {
+    /// Adds one and returns its number.
+    ///
+    /// # Errors
+    /// [`Error::NoSuchNumber`] for a facet that does not exist, [`Error::Unsupported`] without any.
+    pub(super) fn add(&mut self, facets: &[usize], facet_count: usize) -> Result<usize, Error> {
+        if facets.is_empty() {
+            return Err(Error::Unsupported { what: "a surface without facets" });
+        }
+        if let Some(entry) = facets.iter().position(|&facet| facet >= facet_count) {
+            let (array, number, count) = ("facets", facets[entry], facet_count);
+            return Err(Error::NoSuchNumber { array, entry, number, count });
+        }
+        let mut facets = facets.to_vec();
+        facets.sort_unstable();
+        facets.dedup();
+        self.0.push(facets.into());
+        Ok(self.0.len())
+    }
+
+    /// What two of them have of two bodies.
+    ///
+    /// # Errors
+    /// [`Error::NoSuchNumber`] for one that does not exist, [`Error::Unsupported`] for one that has nothing of its body.
+    pub(super) fn of_bodies<const D: usize>(
+        &self,
+        surface: &Surface<D>,
+        bodies: [usize; 2],
+        numbers: [usize; 2],
+    ) -> Result<[Arc<[usize]>; 2], Error> {
+        let of_body = |entry: usize| {
+            let (number, range) = (numbers[entry], &surface.ranges[bodies[entry]]);
+            let Some(facets) = number.checked_sub(1).and_then(|place| self.0.get(place)) else {
+                return Err(Error::NoSuchNumber { array: "surfaces", entry, number, count: self.0.len() });
+            };
+            let own = &facets[facets.partition_point(|f| *f < range.start)..facets.partition_point(|f| *f < range.end)];
+            match own.is_empty() {
+                true => Err(Error::Unsupported { what: "a surface of a pair that has no facet of its body" }),
+                false => Ok(own.into()),
+            }
+        };
+        Ok([of_body(0)?, of_body(1)?])
+    }
+}
+
+/// Facets of pairs that are tied, so that they are in no contact.
+#[derive(Default)]
+pub(super) struct TiedPairs(BTreeMap<[usize; 2], TiedPair>);
+
+struct TiedPair {
+    facets: HeldFacets,
+    /// Found when it is asked for first.
+    layers: OnceLock<[TiedLayer; 2]>,
+}
+
+impl TiedPairs {
+    pub(super) fn new(pairs: BTreeMap<[usize; 2], HeldFacets>) -> Self {
+        Self(pairs.into_iter().map(|(bodies, facets)| (bodies, TiedPair { facets, layers: OnceLock::new() })).collect())
+    }
+
+    /// Has layers found again, on another field.
+    pub(super) fn forget_layers(&mut self) {
+        self.0.values_mut().for_each(|pair| pair.layers = OnceLock::new());
+    }
+
+    /// What is tied of a pair.
+    pub(super) fn of<const D: usize>(
+        &self,
+        surface: &Surface<D>,
+        field: &DepthField<D>,
+        bodies: [usize; 2],
+    ) -> Option<TiedFacets<'_>> {
+        let (pair, cells) = (self.0.get(&bodies)?, surface.cells.as_ref()?);
+        let layer = |side: usize| TiedLayer::new(surface, (field, cells), bodies[side], &pair.facets[side]);
+        let layers = pair.layers.get_or_init(|| [layer(0), layer(1)]);
+        Some(TiedFacets { facets: &pair.facets, layers })
+    }
+}
