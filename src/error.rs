@@ -166,10 +166,8 @@ pub enum Error {
         array: &'static str,
         /// Place in it, counted from 0.
         entry: usize,
-        /// What stands there.
-        number: usize,
-        /// How many there are.
-        count: usize,
+        /// What stands there, and how many there are.
+        number: [usize; 2],
     },
     /// The mass of a node that feels contact is not positive.
     NotPositiveMass {

@@ -333,6 +333,14 @@ class Context : public AddsShapes<Context> {
     call(fmc_context_set_symmetry_nodes(get(), numbers.data(), nodes.size()));
   }
 
+  // Names a part of the surface by places in `boundary_facets`, counted from 0; returns its number, 1, 2, ..., for `surface_a` and
+  // `surface_b` of the options of a pair.
+  int32_t add_surface(View<const std::size_t> facets) {
+    int32_t surface = 0;
+    call(fmc_context_add_surface(get(), facets.data(), facets.size(), &surface));
+    return surface;
+  }
+
   // Straight faces that meet at less than this angle, in degrees, stand for a smooth surface; 0: none.
   void set_surface_smoothing(double feature_angle) { call(fmc_context_set_surface_smoothing(get(), feature_angle)); }
 

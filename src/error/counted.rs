@@ -55,7 +55,7 @@ impl Error {
             | Error::ObstacleRemoved { obstacle: _ }
             | Error::BodyOutOfRange { body: _, count: _ }
             | Error::NonFiniteStiffness { array: _, entry: _ }
-            | Error::NoSuchNumber { array: _, entry: _, number: _, count: _ }
+            | Error::NoSuchNumber { array: _, entry: _, number: _ }
             | Error::BadEntry { array: _, entry: _, value: _ }
             | Error::SlipRow { row: _, what: _ }
             | Error::DegenerateHull { point_count: _ }

@@ -87,7 +87,7 @@ impl fmt::Display for Error {
             Error::BadEntry { array, entry, value } => {
                 write!(f, "entry {entry} of '{array}' is {value}, which is not allowed")
             }
-            Error::NoSuchNumber { array, entry, number, count } => {
+            Error::NoSuchNumber { array, entry, number: [number, count] } => {
                 write!(f, "entry {entry} of '{array}' is {number}, and there are {count}")
             }
             Error::NotPositiveMass { node, value } => {

@@ -231,7 +231,7 @@ fn parts_are_refused_released_and_found_again() {
     contact.add_obstacle(Obstacle { shape: Shape::HalfSpace, pose: Pose::at([0.0, -1.0]) }).expect("an obstacle");
     let count = contact.boundary_facets().len();
     let missing = contact.add_surface(&[0, count, 1]).expect_err("no such facet");
-    assert_eq!(missing, Error::NoSuchNumber { array: "facets", entry: 1, number: count, count });
+    assert_eq!(missing, Error::NoSuchNumber { array: "facets", entry: 1, number: [count; 2] });
     assert!(matches!(contact.add_surface(&[]), Err(Error::Unsupported { .. })));
     let low = facets(&contact, &scene, 0, |x| x[1] == 0.5 && x[0] < 0.6);
     let high = facets(&contact, &scene, 1, |x| x[1] == 0.5 && x[0] < 0.6);

@@ -227,6 +227,8 @@ void forces_and_getters() {
     contact.set_symmetry_planes(std::vector<double>{0, 0}, std::vector<double>{0, 0});
   }));
   EXPECT(refused(FMC_ERROR_NODE_OUT_OF_RANGE, "", [&] { contact.set_symmetry_nodes({8}); }));
+  EXPECT(contact.add_surface({0, 1}) == 1);
+  EXPECT(refused(FMC_ERROR_BAD_VALUE, "", [&] { contact.add_surface({99}); }));
 }
 
 void tangents() {

@@ -125,16 +125,17 @@ fn with_pair<const D: usize, T>(
     let depth = if law.needs_depth() || is_rubbed { mesh.depth_field(weighting, &|| sharing.check()) } else { None };
     let clearance = if parallel.is_some() { 0.0 } else { -table.gap_offset(&partners) };
     let tied = match (depth, partners[1]) {
-        (Some(field), Partner::Body(second)) => mesh.tied(field, [first, second]),
+        (Some(field), Partner::Body(second)) => {
+            let is_curved = |body| field.curves().is_some_and(|curves| curves.height(body) > 0.0);
+            let tied = mesh.tied(field, [first, second]);
+            if tied.is_some() && (is_curved(first) || is_curved(second)) {
+                let what = "curved faces of bodies that named parts of their surfaces hold together";
+                return Err(Error::Unsupported { what });
+            }
+            tied
+        }
         _ => None,
     };
-    if tied.is_some()
-        && depth.and_then(|field| field.curves()).is_some_and(|curves| {
-            partners.iter().any(|side| matches!(side, Partner::Body(body) if curves.height(*body) > 0.0))
-        })
-    {
-        return Err(Error::Unsupported { what: "bodies that are tied by named surfaces and have curved faces" });
-    }
     let (surface, coords, region) = (&mesh.surface, configuration.coords(), OnceLock::new());
     let pair =
         Pair { partners, a, counterpart, pose, surface, coords, depth, clearance, tied, weighting, sharing, region };

@@ -22,8 +22,7 @@ impl Surfaces {
             return Err(Error::Unsupported { what: "a surface without facets" });
         }
         if let Some(entry) = facets.iter().position(|&facet| facet >= facet_count) {
-            let (array, number, count) = ("facets", facets[entry], facet_count);
-            return Err(Error::NoSuchNumber { array, entry, number, count });
+            return Err(Error::NoSuchNumber { array: "facets", entry, number: [facets[entry], facet_count] });
         }
         let mut facets = facets.to_vec();
         facets.sort_unstable();
@@ -45,7 +44,7 @@ impl Surfaces {
         let of_body = |entry: usize| {
             let (number, range) = (numbers[entry], &surface.ranges[bodies[entry]]);
             let Some(facets) = number.checked_sub(1).and_then(|place| self.0.get(place)) else {
-                return Err(Error::NoSuchNumber { array: "surfaces", entry, number, count: self.0.len() });
+                return Err(Error::NoSuchNumber { array: "surfaces", entry, number: [number, self.0.len()] });
             };
             let own = &facets[facets.partition_point(|f| *f < range.start)..facets.partition_point(|f| *f < range.end)];
             match own.is_empty() {

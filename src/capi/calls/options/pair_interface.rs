@@ -152,3 +152,16 @@ impl InterfaceFields {
         }
     }
 }
+
+/// The named parts of both surfaces, if there are any. A part of one alone would leave it to the reach what is held of the other.
+pub(super) fn named_surfaces(both: [i32; 2]) -> Result<Option<[usize; 2]>, Failure> {
+    match both.map(usize::try_from) {
+        [Ok(0), Ok(0)] => Ok(None),
+        [Ok(a @ 1..), Ok(b @ 1..)] => Ok(Some([a, b])),
+        _ => {
+            let of = "options 'surface_a' and 'surface_b' are";
+            let text = format!("{of} {} and {}: both are numbers from 1, or both are 0", both[0], both[1]);
+            Err(Failure::new(FMC_ERROR_OPTIONS_CONFLICT, text))
+        }
+    }
+}

@@ -7,7 +7,7 @@ use crate::capi::boundary::given_struct::check_struct;
 use crate::capi::boundary::pointer::{Output, optional};
 use crate::capi::boundary::status::fmc_status;
 use crate::capi::boundary::status::fmc_status::FMC_ERROR_OPTIONS_CONFLICT;
-use crate::capi::calls::options::pair_interface::{InterfaceFields, fmc_interface, fmc_softening};
+use crate::capi::calls::options::pair_interface::{InterfaceFields, fmc_interface, fmc_softening, named_surfaces};
 use crate::capi::context::session::in_either;
 use crate::capi::context::state::{fmc_context, read, write};
 use crate::capi::structs::law::LawFields;
@@ -161,26 +161,8 @@ impl fmc_pair_options {
             static_friction: static_friction(self.static_coefficient, self.weakening_slip),
             gap_offset: self.gap_offset,
             interface: self.interface_fields().interface()?,
-            surfaces: self.surfaces()?,
+            surfaces: named_surfaces([self.surface_a, self.surface_b])?,
         })
-    }
-
-    fn surfaces(&self) -> Result<Option<[usize; 2]>, Failure> {
-        let both = [self.surface_a, self.surface_b];
-        if both == [0; 2] {
-            return Ok(None);
-        }
-        // A part of one alone would leave it to the reach what is held of the other.
-        match both.map(usize::try_from) {
-            [Ok(a @ 1..), Ok(b @ 1..)] => Ok(Some([a, b])),
-            _ => {
-                let text = format!(
-                    "options 'surface_a' and 'surface_b' are {} and {}: both are numbers from 1, or both are 0",
-                    both[0], both[1]
-                );
-                Err(Failure::new(FMC_ERROR_OPTIONS_CONFLICT, text))
-            }
-        }
     }
 
     fn interface_fields(&self) -> InterfaceFields {
