@@ -2,7 +2,7 @@
 
 use super::Bodies;
 use super::surfaces::{face_number, surface};
-use super::ties::{facet_size, reach};
+use super::ties::facet_size;
 use crate::Fault;
 use crate::read::{Deck, Kind, PairRow, SurfaceRow};
 use fmc_contact::EnergyLaw;
@@ -60,7 +60,7 @@ pub(super) fn pairs<const D: usize>(deck: &Deck, bodies: Bodies<D>) -> Result<Pa
             .ok_or_else(|| Fault::new(row.line, format!("there is no *SURFACE INTERACTION '{}'", row.interaction)))?;
         if interaction.is_tied {
             for pair in between(deck, bodies, row.line, &row.surfaces, false)? {
-                put(pair, PairOptions::tied(reach(bodies, pair)), row.line)?;
+                put(pair, PairOptions::tied(0.0), row.line)?;
             }
             continue;
         }
@@ -76,8 +76,7 @@ pub(super) fn pairs<const D: usize>(deck: &Deck, bodies: Bodies<D>) -> Result<Pa
     }
     for row in &deck.ties {
         for pair in between(deck, bodies, row.line, &row.surfaces, false)? {
-            let reach = if row.reach > 0.0 { row.reach } else { reach(bodies, pair) };
-            put(pair, PairOptions::tied(reach), row.line)?;
+            put(pair, PairOptions::tied(row.reach), row.line)?;
         }
     }
     let count = bodies.model.parts().len();

@@ -1,13 +1,10 @@
-//! How far ties reach, and what they have tied.
+//! What ties have tied.
 
 use super::Bodies;
 use super::facets::{area, corner_count};
 use fmc_contact::contact::Interface;
 use fmc_solid::fem::{Face, Model};
 use fmc_solid::statics::{Equilibrium, StaticsError};
-
-/// Reach of ties without POSITION TOLERANCE, in sizes of facets.
-const REACH: f64 = 0.1;
 
 /// A tie, as it was found where nothing is deformed.
 #[derive(Clone, Debug, PartialEq)]
@@ -26,11 +23,6 @@ pub struct TieResult {
     pub facets: usize,
 }
 
-/// The reach of a tie that has none: a tenth of the size of the larger facets.
-pub(super) fn reach<const D: usize>(bodies: Bodies<D>, pair: [usize; 2]) -> f64 {
-    REACH * facet_size(bodies, pair[0]).max(facet_size(bodies, pair[1]))
-}
-
 /// Mean size of the facets of a body: the root of their area, in 2D their length.
 pub(super) fn facet_size<const D: usize>(bodies: Bodies<D>, body: usize) -> f64 {
     let faces = bodies.model.faces_where(body, |_| true);
@@ -42,11 +34,13 @@ pub(super) fn facet_size<const D: usize>(bodies: Bodies<D>, body: usize) -> f64 
 pub(super) fn results<const D: usize>(at: &Equilibrium<D>) -> Result<Vec<TieResult>, StaticsError> {
     let mut found = Vec::new();
     for (bodies, options) in &at.problem().pairs {
-        let Interface::Tied { reach } = options.interface else { continue };
+        if !matches!(options.interface, Interface::Tied { .. }) {
+            continue;
+        }
         let Some((summary, nodes)) = at.tie(*bodies)? else { continue };
         let facets = bodies.map(|body| facets(at.model(), body, &nodes)).into_iter().sum();
         let names = bodies.map(|body| at.model().parts()[body].name.clone());
-        let (area, gap) = (summary.area, summary.largest_gap);
+        let (area, gap, reach) = (summary.area, summary.largest_gap, summary.reach);
         found.push(TieResult { names, reach, area, gap, nodes: nodes.len(), facets });
     }
     Ok(found)
