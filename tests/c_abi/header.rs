@@ -25,7 +25,7 @@ pub(crate) const SECTIONS: [Section; 20] = [
     ),
     (
         "The mesh without deformation, and unknowns of the host",
-        &["calls/mesh/reference", "structs/csr", "calls/mesh/basis"],
+        &["calls/mesh/reference", "calls/mesh/surfaces", "structs/csr", "calls/mesh/basis"],
     ),
     (
         "Obstacles",
