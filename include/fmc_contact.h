@@ -686,6 +686,19 @@ fmc_status fmc_context_set_symmetry_nodes(fmc_context *context,
 fmc_status fmc_context_set_surface_smoothing(fmc_context *context,
                                              double feature_angle);
 
+// Names a part of the surface, so that options of a pair can speak of it (`surface_a`, `surface_b`).
+//
+// `facets` are `count` facets, each by its place in `fmc_context_boundary_facets` from 0 whatever the base, in any order; of a
+// quadrilateral face all four, of one of second order all its parts. They may belong to several bodies. `surface` becomes the number of
+// the part: 1, 2, ... It stays what it is on other reference coordinates.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`; `FMC_ERROR_BAD_VALUE` for a facet that does not exist, naming its entry; `FMC_ERROR_UNSUPPORTED` without
+// facets and for a mesh in parts, `FMC_ERROR_BUSY`. Nothing changes then. Threads: one call at a time on a context.
+fmc_status fmc_context_add_surface(fmc_context *context,
+                                   const size_t *facets,
+                                   size_t count,
+                                   int32_t *surface);
+
 // Sets all fields to zero and NULL.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`. Threads: any, on different structs.
@@ -968,8 +981,14 @@ typedef struct {
   double shear_energy;
   // Exponent, at least 1, by which the two are mixed (Benzeggagh and Kenane); 0, the default: 2.
   double mixed_mode_exponent;
+  // With `FMC_INTERFACE_TIED`, `FMC_INTERFACE_COHESIVE` and `FMC_INTERFACE_NO_SEPARATION`: the part of the surface of `a`, a number of
+  // `fmc_context_add_surface`, whose faces may be held; 0, the default: all of it. Facets of both parts that are held are in no contact;
+  // all others of the pair press and rub, by the law "depth". Without parts nothing else of the pair is in contact.
+  int32_t surface_a;
+  // The same of `b`. Both are 0, or neither.
+  int32_t surface_b;
   // Zero. Room for options of later versions.
-  uint64_t reserved[4];
+  uint64_t reserved[3];
 } fmc_pair_options;
 
 // Sets the options of a pair to what it has without options of its own: the law of the context, not left out.
@@ -2176,8 +2195,10 @@ typedef struct {
   double largest_gap;
   // Number of means of the jump that are held: of nodes of the side that holds, mostly that with the larger facets.
   size_t node_count;
+  // How far apart faces might be, or how far they might overlap, a length: as it was given, or what it is by default.
+  double reach;
   // Zero.
-  uint64_t reserved[4];
+  uint64_t reserved[3];
 } fmc_tie;
 
 // A node of a tie, of the side that holds, mostly that with the larger facets.

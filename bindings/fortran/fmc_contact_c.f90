@@ -298,7 +298,9 @@ module fmc_contact_c
     real(c_double) :: normal_energy
     real(c_double) :: shear_energy
     real(c_double) :: mixed_mode_exponent
-    integer(c_int64_t) :: reserved(4)
+    integer(c_int32_t) :: surface_a
+    integer(c_int32_t) :: surface_b
+    integer(c_int64_t) :: reserved(3)
   end type
 
   type, bind(c) :: fmc_result
@@ -542,7 +544,8 @@ module fmc_contact_c
     real(c_double) :: area
     real(c_double) :: largest_gap
     integer(c_size_t) :: node_count
-    integer(c_int64_t) :: reserved(4)
+    real(c_double) :: reach
+    integer(c_int64_t) :: reserved(3)
   end type
 
   type, bind(c) :: fmc_tie_node
@@ -882,6 +885,14 @@ module fmc_contact_c
       type(c_ptr), value :: context
       real(c_double), value :: feature_angle
       integer(c_int32_t) :: fmc_context_set_surface_smoothing
+    end function
+    function fmc_context_add_surface(context, facets, count, surface) bind(c)
+      import
+      type(c_ptr), value :: context
+      integer(c_size_t), intent(in), optional :: facets(*)
+      integer(c_size_t), value :: count
+      integer(c_int32_t), intent(inout), optional :: surface(*)
+      integer(c_int32_t) :: fmc_context_add_surface
     end function
     function fmc_csr_init(matrix) bind(c)
       import

@@ -340,7 +340,9 @@ pub struct fmc_pair_options {
     pub normal_energy: f64,
     pub shear_energy: f64,
     pub mixed_mode_exponent: f64,
-    pub reserved: [u64; 4],
+    pub surface_a: i32,
+    pub surface_b: i32,
+    pub reserved: [u64; 3],
 }
 
 #[repr(C)]
@@ -622,7 +624,8 @@ pub struct fmc_tie {
     pub area: f64,
     pub largest_gap: f64,
     pub node_count: usize,
-    pub reserved: [u64; 4],
+    pub reach: f64,
+    pub reserved: [u64; 3],
 }
 
 #[repr(C)]
@@ -822,6 +825,7 @@ unsafe extern "C" {
     pub fn fmc_context_set_symmetry_planes(context: *mut fmc_context, points: *const f64, normals: *const f64, count: usize) -> fmc_status;
     pub fn fmc_context_set_symmetry_nodes(context: *mut fmc_context, nodes: *const c_void, count: usize) -> fmc_status;
     pub fn fmc_context_set_surface_smoothing(context: *mut fmc_context, feature_angle: f64) -> fmc_status;
+    pub fn fmc_context_add_surface(context: *mut fmc_context, facets: *const usize, count: usize, surface: *mut i32) -> fmc_status;
     pub fn fmc_csr_init(matrix: *mut fmc_csr) -> fmc_status;
     pub fn fmc_context_set_basis(context: *mut fmc_context, weights: *const fmc_csr, unknown_count: usize) -> fmc_status;
     pub fn fmc_pose_init(pose: *mut fmc_pose) -> fmc_status;
