@@ -43,6 +43,7 @@ def test_a_stiffness_alone_takes_the_law_with_its_exponent() -> None:
     assert contact.pairs.options(0, FLOOR) == {
         "excluded": False,
         "friction_coefficient": None,
+        "surfaces": None,
         "static_coefficient": 0.0,
         "weakening_slip": 0.0,
         "gap_offset": 0.0,

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from ctypes import POINTER, byref, c_double, c_int32, c_size_t
+from ctypes import POINTER, byref, c_double, c_size_t
 from dataclasses import dataclass
 from typing import Any, Optional
 
@@ -332,11 +332,11 @@ class Mesh:
         if places.ndim != 1 or not (places.size == 0 or np.issubdtype(places.dtype, np.integer)):
             raise TypeError("'facets' must be a list of integers, or of bools")
         # A negative number becomes one that is too large, and is refused.
-        named, surface = places.astype(np.uintp), c_int32()
+        named, surface = places.astype(np.uintp), np.zeros(1, np.int32)
         pointer = named.ctypes.data_as(POINTER(c_size_t))
         with self._core.handle:
-            self._core.handle.call(library.fmc_context_add_surface, pointer, len(named), byref(surface))
-        return surface.value
+            self._core.handle.call(library.fmc_context_add_surface, pointer, len(named), surface)
+        return int(surface[0])
 
     def set_symmetry_nodes(self, nodes: ArrayLike) -> None:
         """Names the nodes that lie in planes of symmetry, in place of what was said before.
