@@ -116,6 +116,7 @@ PIECES = {
     "heat.md": [None],  # hosts/skfem/tests/test_docs.py
     "interfaces.md": [
         ("", "assert np.allclose(result.forces[4:7, 1], [-0.5, -1, -0.5])"),
+        ("import numpy as np\nfrom fmc_contact import Contact", "assert left == 1 and halves.pairs.tie(0, 1).area == 1.0"),
         (
             "import numpy as np\nfrom fmc_contact import Contact\nconn = np.array([[0, 1, 2, 3], [4, 5, 8, 7], [5, 6, 9, 8]])\n",
             # Along the last line towards the origin from 0.03, where it was 2 · 2 · (0.1 − 0.03)/(0.1 − 0.001).
