@@ -24,7 +24,7 @@ pub(super) fn friction_heat_in<const D: usize>(
         let answer = measured.law.measure(measured, &asked)?;
         Ok(answer.map(|answer| SlipFacets::new(measured, &sliding, &answer.points)))
     })?;
-    facets.extend(contact.history.frozen_at(coords, &contact.partners.obstacles.poses()));
+    facets.extend(contact.history.frozen_at(coords.unshifted, &contact.partners.obstacles.poses()));
     let (bodies, obstacles) = (contact.mesh.surface.body_count(), contact.partners.obstacles.count());
     let of_first = |pair: [Partner; 2]| {
         let of = |partner| match partner {

@@ -59,7 +59,7 @@ pub(super) fn measured_pairs<const D: usize>(
     if asked.apart {
         return Ok((answers, tractions));
     }
-    let frozen = contact.history.frozen_at(coords, &contact.partners.obstacles.poses());
+    let frozen = contact.history.frozen_at(coords.unshifted, &contact.partners.obstacles.poses());
     tractions.extend(frozen.iter().map(tractions_of));
     let pairs: Vec<[Partner; 2]> = tractions.iter().map(|pair| pair.partners).collect();
     let gone = released(contact, &pairs)?;
