@@ -4,9 +4,11 @@
 use crate::Error;
 use crate::contact::evaluation::{Contact, kernels};
 use crate::contact::friction::{
-    CarriedSlip, FacetSlip, FrozenFriction, PastPoints, SlipFacets, Step, list_slip, slip_of_list,
+    CarriedSlip, FacetSlip, FrozenFriction, PastPoints, SliderName, SlipFacets, Step, list_slip, slip_of_list,
 };
 use crate::contact::history::{Bearings, Begun};
+use crate::geometry::Vector;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Begins a step at these coordinates. On an error nothing has changed.
 pub(crate) fn begin<const D: usize>(contact: &mut Contact<D>, coords: &[[f64; D]]) -> Result<(), Error> {
@@ -73,6 +75,81 @@ pub(crate) fn freeze<const D: usize>(contact: &mut Contact<D>, coords: &[[f64; D
     contact.mesh.check_brought(coords)?;
     let (points, poses) = (past_points(contact, coords)?, contact.partners.obstacles.poses());
     contact.history.frozen = Some(FrozenFriction::new(pairs, points, poses, contact.mesh.epoch()));
+    Ok(())
+}
+
+/// Has all facets with memory stick here, whatever their limits are, until friction is released. On an error nothing has changed.
+pub(crate) fn hold<const D: usize>(contact: &mut Contact<D>, coords: &[[f64; D]]) -> Result<(), Error> {
+    let pairs = kernels::slip_facets(contact, coords)?;
+    hold_some(contact, coords, pairs, |_| true)
+}
+
+/// What is known of the facets from the last step of an iteration.
+#[derive(Clone, Default)]
+pub(crate) struct Slid<const D: usize> {
+    /// Which way they slid.
+    ways: BTreeMap<SliderName, Vector<D>>,
+    /// Those that stuck as the one between two ways.
+    between: BTreeSet<SliderName>,
+}
+
+impl<const D: usize> Slid<D> {
+    /// The facets that have to stick: those that slide the other way than before, and of a pair that slides two ways at once, and sticks nowhere,
+    /// that which has slid least.
+    fn next(&mut self, pairs: &[SlipFacets<D>], is_loose: bool) -> BTreeSet<SliderName> {
+        let (before, mut held) = (std::mem::take(&mut self.ways), BTreeSet::new());
+        for pair in pairs {
+            let (mut least, mut is_everywhere, mut way) = (None, true, None);
+            let mut is_two_ways = false;
+            for (facet, _, traction) in pair.tractions() {
+                let name = (pair.partners, facet.of_b, facet.facet);
+                let has_turned = before.get(&name).is_some_and(|way| way.dot(&traction.value) < 0.0);
+                if !traction.slides || has_turned {
+                    is_everywhere = false;
+                    held.extend(has_turned.then_some(name));
+                    continue;
+                }
+                self.ways.insert(name, traction.value);
+                is_two_ways |= way.get_or_insert(traction.value).dot(&traction.value) < 0.0;
+                let slid = (facet.trial - traction.elastic).norm();
+                if !self.between.contains(&name) && least.is_none_or(|(least, _)| slid < least) {
+                    least = Some((slid, name));
+                }
+            }
+            if let Some((_, name)) = least.filter(|_| is_loose && is_everywhere && is_two_ways) {
+                self.ways.remove(&name);
+                self.between.insert(name);
+                held.insert(name);
+            }
+        }
+        held
+    }
+}
+
+/// Has facets stick that have to, until friction is released; whether there is any. `is_loose`: whether bodies are held by
+/// friction alone. On an error nothing has changed.
+pub(crate) fn hold_turned<const D: usize>(
+    contact: &mut Contact<D>,
+    coords: &[[f64; D]],
+    slid: &mut Slid<D>,
+    is_loose: bool,
+) -> Result<bool, Error> {
+    let pairs = kernels::slip_facets(contact, coords)?;
+    let held = slid.next(&pairs, is_loose);
+    if !held.is_empty() {
+        hold_some(contact, coords, pairs, |name| held.contains(name))?;
+    }
+    Ok(!held.is_empty())
+}
+
+fn hold_some<const D: usize>(
+    contact: &mut Contact<D>,
+    coords: &[[f64; D]],
+    pairs: Vec<SlipFacets<D>>,
+    is_held: impl Fn(&SliderName) -> bool,
+) -> Result<(), Error> {
+    let at = (past_points(contact, coords)?, contact.partners.obstacles.poses(), contact.mesh.epoch());
+    contact.history.frozen = Some(FrozenFriction::holding(pairs, at, is_held));
     Ok(())
 }
 

@@ -1,6 +1,8 @@
 //! Friction with the facets and the pressure of an earlier iteration: the forces are then those of a convex potential.
 
+use super::carriers::SliderName;
 use super::past_points::PastPoints;
+use super::return_mapping::Stick;
 use super::slip_facets::SlipFacets;
 use crate::geometry::{Pose, Vector};
 use crate::overlap::Partner;
@@ -32,6 +34,21 @@ impl<const D: usize> FrozenFriction<D> {
                 facet.by_approach = Vector::zeros();
                 facet.is_frozen = true;
             });
+        }
+        Self { pairs, coords, poses, epoch }
+    }
+
+    /// The facets as they are here, with limits that grow with the pressure, but some of those with memory stick whatever their limit is.
+    pub(crate) fn holding(
+        mut pairs: Vec<SlipFacets<D>>,
+        (coords, poses, epoch): (PastPoints<D>, Vec<Option<Pose<D>>>, u64),
+        is_held: impl Fn(&SliderName) -> bool,
+    ) -> Self {
+        for SlipFacets { partners, facets, .. } in &mut pairs {
+            let facets = facets.iter_mut().filter(|facet| matches!(facet.slider.stick, Stick::Spring(_)));
+            for facet in facets.filter(|facet| is_held(&(*partners, facet.of_b, facet.facet))) {
+                facet.slider.limit = f64::INFINITY;
+            }
         }
         Self { pairs, coords, poses, epoch }
     }

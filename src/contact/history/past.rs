@@ -2,6 +2,7 @@
 
 use super::bearings::Bearings;
 use super::kept_patches::KeptPatches;
+use super::last::LastEquilibrium;
 use super::multipliers::Multipliers;
 use crate::Error;
 use crate::contact::cohesive::Damage;
@@ -28,6 +29,8 @@ pub(crate) struct History<const D: usize> {
     /// Where tangents are those of surfaces that are apart, while an equilibrium without contact is sought: nowhere else, should the
     /// search be left there.
     pub(crate) apart_at: Option<Vec<[f64; D]>>,
+    /// The equilibrium that a search found last. It decides how long the next one takes, and not what it finds but within tolerances.
+    pub(crate) last: Option<LastEquilibrium>,
 }
 
 /// Where a step began, and how facets bore there.
@@ -50,6 +53,7 @@ impl<const D: usize> History<D> {
             damage: Damage::new(),
             stiffened: 1.0,
             apart_at: None,
+            last: None,
         }
     }
 

@@ -3,12 +3,13 @@
 use super::balance::Verdict;
 use super::downhill::downhill;
 use super::levels::levels;
-use super::nearest::nearest;
+use super::nearest::{Begin, nearest};
 use super::options::DriverOptions;
 use super::outcome::Way;
 use super::search::Search;
 use super::settle::settle;
 use super::state::State;
+use super::stuck::stuck;
 use super::trouble::Trouble;
 use super::unknowns::Unknowns;
 use super::unloaded::apart;
@@ -46,6 +47,12 @@ pub(super) async fn equilibrium<const D: usize>(
     {
         return Ok(Reached { state, verdict, way: Way::Nearest });
     }
+    if let Some(falling) = search.falling.take()
+        && let Some(stuck) = stuck(search, x, falling).await?
+        && let Some((state, verdict)) = nearest(search, &stuck, Begin::Stuck).await?
+    {
+        return Ok(Reached { state, verdict, way: Way::Nearest });
+    }
     let settled = settle(&search.host, &search.assembly, &search.motions, x, search.has_friction).await?;
     *rigid_steps += settled.steps;
     if settled.is_anew {
@@ -64,7 +71,7 @@ pub(super) async fn balanced<const D: usize>(search: &mut Search<D>, x: &[f64]) 
         return Ok(Reached { state, verdict, way: Way::Condensed });
     }
     if !search.options.is_lagged
-        && let Some((state, verdict)) = nearest(search, x).await?
+        && let Some((state, verdict)) = nearest(search, x, Begin::Full).await?
     {
         return Ok(Reached { state, verdict, way: Way::Nearest });
     }

@@ -33,6 +33,8 @@ pub(super) struct Balance {
     pressed: f64,
     /// Forces at the start, if it was an equilibrium, of this load or another.
     at_start: f64,
+    /// Forces by which the last state was judged.
+    scale: f64,
     last: f64,
     stalled: usize,
     /// Residual by the forces, state by state.
@@ -41,7 +43,7 @@ pub(super) struct Balance {
 
 impl Balance {
     pub(super) fn new(tolerance: f64, pressed: f64) -> Self {
-        Self { tolerance, pressed, at_start: 0.0, last: f64::INFINITY, stalled: 0, history: Vec::new() }
+        Self { tolerance, pressed, at_start: 0.0, scale: 0.0, last: f64::INFINITY, stalled: 0, history: Vec::new() }
     }
 
     /// The scale of a step that begins in equilibrium is that of the forces there: an unloaded end has none of its own.
@@ -64,6 +66,11 @@ impl Balance {
         self.at_start = self.at_start.max(forces);
     }
 
+    /// Forces by which the last state was judged.
+    pub(super) fn scale(&self) -> f64 {
+        self.scale
+    }
+
     /// Another attempt begins.
     pub(super) fn again(&mut self) {
         (self.last, self.stalled) = (f64::INFINITY, 0);
@@ -82,6 +89,7 @@ impl Balance {
     ) -> Result<Verdict, Trouble> {
         let rounding = state.rounding(host, assembly, self.pressed).await?;
         let scale = state.scale(&rounding.of_state).max(self.at_start);
+        self.scale = scale;
         let beyond = state.beyond(host, &rounding.of_state);
         self.history.push(if beyond > 0.0 { beyond / scale.max(f64::MIN_POSITIVE) } else { 0.0 });
         self.stalled = if beyond > HARDLY * self.last { self.stalled + 1 } else { 0 };

@@ -3,6 +3,7 @@
 use super::elastic::deformed;
 use super::search::Search;
 use super::state::State;
+use super::stuck::Falling;
 use super::trouble::Trouble;
 use super::unknowns::{dot, norm};
 use super::unloaded::is_gone;
@@ -20,7 +21,8 @@ pub(super) async fn falling_load<const D: usize>(search: &mut Search<D>, start: 
     let has_any = host.contact(|contact| {
         !contact.history.multipliers.is_empty() || contact.ties.have_multipliers() || contact.glides.have_multipliers()
     });
-    if !has_any.await || start.norm(host) <= CHANGED * norm(&start.forces) {
+    let has_any = has_any.await;
+    if !(has_any || search.has_friction) || start.norm(host) <= CHANGED * norm(&start.forces) {
         return Ok(start);
     }
     let (displaced, _) = deformed(host, &start.x).await?;
@@ -35,6 +37,13 @@ pub(super) async fn falling_load<const D: usize>(search: &mut Search<D>, start: 
     if !(part.is_finite() && part < 1.0) {
         return Ok(start);
     }
+    if search.has_friction && part > 0.0 {
+        search.falling = Some(Falling { part, before: search.host.contact(|contact| contact.all_multipliers()).await });
+    }
+    if !has_any {
+        return Ok(start);
+    }
+    let host = &search.host;
     host.contact(move |contact| contact.scale_multipliers(part.max(0.0))).await;
     start.again(host).await
 }

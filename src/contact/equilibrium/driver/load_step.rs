@@ -34,6 +34,7 @@ pub(super) async fn load_step<const D: usize>(asking: Asking<D>, step: LoadStep<
             options: step.options,
             has_friction,
             unloaded: None,
+            falling: None,
             free: Vec::new(),
             warnings: Vec::new(),
         },

@@ -6,6 +6,7 @@ use super::search::Search;
 use super::secant::Secant;
 use super::state::State;
 use super::trouble::Trouble;
+use super::turned::Turned;
 use super::unknowns::moved;
 use crate::contact::tangents::TangentPart;
 
@@ -28,30 +29,43 @@ const SETTLED: f64 = 1e-4;
 /// Part of a step below which it leads nowhere.
 const SHORTEST: f64 = 1e-3;
 
+/// How the steps begin.
+#[derive(Clone, Copy, PartialEq)]
+pub(super) enum Begin {
+    /// As they go on.
+    Full,
+    /// With the semidefinite tangent.
+    Stiff,
+    /// After one in which all that rubs stuck: facets that turn round stick first.
+    Stuck,
+}
+
 /// The equilibrium, or `None` where it does not come nearer.
 pub(super) async fn nearest<const D: usize>(
     search: &mut Search<D>,
     start: &[f64],
+    begin: Begin,
 ) -> Result<Option<(State<D>, Verdict)>, Trouble> {
     let begun = search.balance.history.len();
-    if let Some(found) = by_whole_steps(search, start, false).await? {
+    if let Some(found) = by_whole_steps(search, start, begin).await? {
         return Ok(Some(found));
     }
     // Where it came near and stayed there, the first step has led past a kink.
     let was_near = search.balance.history[begun..].iter().any(|relative| *relative <= FAR);
-    if search.has_friction || !was_near { Ok(None) } else { by_whole_steps(search, start, true).await }
+    if search.has_friction || !was_near { Ok(None) } else { by_whole_steps(search, start, Begin::Stiff).await }
 }
 
-/// By whole steps with the full tangent; with a stiff start the first one, if it is far from the end, with the semidefinite tangent: the full
+/// By whole steps with the full tangent; where they begin stiff the first one, if it is far from the end, with the semidefinite tangent: the full
 /// one takes pressed surfaces for softer than they are, and may lead nodes past one another.
 async fn by_whole_steps<const D: usize>(
     search: &mut Search<D>,
     start: &[f64],
-    is_stiff: bool,
+    begin: Begin,
 ) -> Result<Option<(State<D>, Verdict)>, Trouble> {
     search.begin_attempt();
     let mut state = State::at(&search.host, start.to_vec(), true).await?;
     let (mut secant, mut counted) = (search.has_friction.then(Secant::default), search.updates.count);
+    let mut turned = Turned::default();
     let (mut least, mut above, mut updates) = (f64::INFINITY, 0, search.updates.count);
     let most_above = if search.has_friction { ABOVE_WITH_FRICTION } else { ABOVE };
     for tried in 0..=MOST {
@@ -70,13 +84,14 @@ async fn by_whole_steps<const D: usize>(
             return Ok(None);
         }
         let shift = if search.motions.is_empty() { 0.0 } else { SHIFT };
-        let is_far = is_stiff && tried == 0 && search.balance.relative() > FAR;
+        let is_far = begin == Begin::Stiff && tried == 0 && search.balance.relative() > FAR;
         let part = if is_far { TangentPart::Semidefinite } else { TangentPart::Full };
         let system = System { x: &state.x, part, shift };
-        let right = state.residual.iter().map(|force| -force).collect();
-        let Ok(mut step) = search.host.solve(system, right).await else { return Ok(None) };
+        let is_turned = begin == Begin::Stuck && turned.held(search, &state.x).await?;
+        let Ok(mut step) = solved(search, &state, system, is_turned).await else { return Ok(None) };
         if let Some(secant) = &mut secant {
-            step = secant.corrected(step, search.updates.count == counted && search.balance.relative() < SETTLED);
+            let is_settled = search.balance.relative() < SETTLED && !is_turned;
+            step = secant.corrected(step, search.updates.count == counted && is_settled);
         }
         counted = search.updates.count;
         let Ok(part) = search.allowed(&state.x, &step).await else { return Ok(None) };
@@ -95,4 +110,23 @@ async fn by_whole_steps<const D: usize>(
         }
     }
     Ok(None)
+}
+
+/// The step, where some facets are held by what they would carry if they stuck; friction is then released.
+async fn solved<const D: usize>(
+    search: &Search<D>,
+    state: &State<D>,
+    system: System<'_>,
+    is_held: bool,
+) -> Result<Vec<f64>, Trouble> {
+    let negative = |residual: &[f64]| residual.iter().map(|force| -force).collect();
+    if !is_held {
+        return search.host.solve(system, negative(&state.residual)).await;
+    }
+    let found = match State::at(&search.host, state.x.clone(), true).await {
+        Ok(held) => search.host.solve(system, negative(&held.residual)).await,
+        Err(trouble) => Err(trouble),
+    };
+    search.host.contact(|contact| contact.release_friction()).await;
+    found
 }

@@ -11,6 +11,7 @@ use super::search::Search;
 use super::standing::standing;
 use super::state::State;
 use super::trouble::Trouble;
+use super::unchanged::{kept, taken_up};
 use super::unknowns::{largest, moved};
 use crate::Error;
 use crate::contact::changes::friction_steps::take_up;
@@ -42,6 +43,7 @@ pub(super) async fn in_parts<const D: usize>(search: &mut Search<D>, step: &Load
     let start = State::at(&search.host, step.x.clone(), true).await?;
     search.balance.begin(&search.host, &search.assembly, &start).await?;
     overlaps(search, &start).await?;
+    taken_up(search, &start, &step.moved).await;
     let start = falling_load(search, start).await?;
     let (mut x, mut done, mut part, mut counts) = (step.x.clone(), 0.0, 1.0, Counts::default());
     loop {
@@ -187,6 +189,7 @@ async fn finished<const D: usize>(
         search.warn(text);
     }
     standing(search, &reached.state).await?;
+    kept(search, &reached.state).await;
     let State { x, contact, residual, .. } = reached.state;
     Ok(Found {
         x,

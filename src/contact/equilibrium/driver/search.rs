@@ -8,6 +8,7 @@ use super::motions::Motions;
 use super::options::DriverOptions;
 use super::patches::Patches;
 use super::state::State;
+use super::stuck::Falling;
 use super::trouble::{Trouble, Unheld};
 use super::updates::Updates;
 use std::sync::Arc;
@@ -25,6 +26,8 @@ pub(super) struct Search<const D: usize> {
     pub(super) has_friction: bool,
     /// Where the load of the step before is gone.
     pub(super) unloaded: Option<Unloaded>,
+    /// Where the load is a part of that of the step before, and nothing has moved yet.
+    pub(super) falling: Option<Falling<D>>,
     /// Bodies that nothing holds where they have come to rest.
     pub(super) free: Vec<Unheld>,
     /// What the user should know.

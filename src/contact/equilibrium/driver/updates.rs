@@ -96,6 +96,11 @@ impl Updates {
         (self.pressed, self.last, self.is_cut_short) = (0.0, f64::INFINITY, false);
     }
 
+    /// The multipliers are those of an equilibrium that was found with them, and of this load: unless a penetration is asked for, they stay.
+    pub(super) fn stay(&mut self) {
+        self.is_possible &= self.asked.is_some();
+    }
+
     /// A load falls from where contact presses like this.
     pub(super) fn fall_from<const D: usize>(&mut self, contact: &ContactForces<D>) {
         self.fallen_from = pressed(contact);

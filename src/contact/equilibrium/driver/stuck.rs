@@ -1,0 +1,77 @@
+//! The first step where a load falls: all that rubs sticks.
+//!
+//! A load that falls takes the limits of friction with it, and what surfaces carried is beyond them before anything has moved. A step with
+//! the tangent of what slides would let bodies spring back as if friction hardly held them, far beyond where it turns round. But bodies that
+//! spring back slide against what carried them along, and so first give back what is elastic: the step of facets that stick leads there,
+//! and shows which of them slide, and which way.
+
+use super::host::System;
+use super::search::Search;
+use super::state::State;
+use super::trouble::Trouble;
+use super::unknowns::moved;
+use crate::contact::changes::friction_steps::hold;
+use crate::contact::equilibrium::augmentation::AllMultipliers;
+use crate::contact::evaluation::Contact;
+use crate::contact::tangents::TangentPart;
+
+/// Part of the diagonal that holds what nothing else holds.
+const SHIFT: f64 = 1e-12;
+
+/// Part of the multipliers' change from which the change of the forces is found: so little that nothing parts.
+const LITTLE: f64 = 1e-6;
+
+/// A load that falls.
+pub(super) struct Falling<const D: usize> {
+    /// What is left of it.
+    pub(super) part: f64,
+    /// Multipliers of the load as it was.
+    pub(super) before: AllMultipliers<D>,
+}
+
+/// Where bodies go if nothing slides or parts; `None` where that is not known, or where something is in the way.
+pub(super) async fn stuck<const D: usize>(
+    search: &mut Search<D>,
+    x: &[f64],
+    falling: Falling<D>,
+) -> Result<Option<Vec<f64>>, Trouble> {
+    let coords = search.host.unknowns.coords(x);
+    let put_back = |contact: &mut Contact<D>, multipliers| {
+        let now = contact.all_multipliers();
+        contact.put_back_multipliers(multipliers);
+        now
+    };
+    let Falling { part, before } = falling;
+    let (now, is_held) =
+        search.host.contact(move |contact| (put_back(contact, before), hold(contact, &coords).is_ok())).await;
+    let step = if is_held { held_step(search, x, part).await } else { Ok(None) };
+    search
+        .host
+        .contact(move |contact| {
+            contact.release_friction();
+            contact.put_back_multipliers(now);
+        })
+        .await;
+    let Some(step) = step? else { return Ok(None) };
+    let Ok(allowed) = search.allowed(x, &step).await else { return Ok(None) };
+    Ok((allowed == 1.0).then(|| moved(x, 1.0, &step)))
+}
+
+/// The step of the contact as it is, with what the multipliers press with falling to a part.
+async fn held_step<const D: usize>(search: &Search<D>, x: &[f64], part: f64) -> Result<Option<Vec<f64>>, Trouble> {
+    let host = &search.host;
+    let state = State::at(host, x.to_vec(), true).await?;
+    let (residual, coords) = (state.residual, host.unknowns.coords(x));
+    let with_less = host.contact(move |contact| {
+        let before = contact.all_multipliers();
+        contact.scale_multipliers(1.0 - LITTLE * (1.0 - part));
+        let found = contact.evaluate(&coords);
+        contact.put_back_multipliers(before);
+        found
+    });
+    let less = host.unknowns.gather(&with_less.await?.forces);
+    let right = (0..x.len()).map(|k| (less[k] - state.forces[k]) / LITTLE - residual[k]).collect();
+    let shift = if search.motions.is_empty() { 0.0 } else { SHIFT };
+    let system = System { x, part: TangentPart::Full, shift };
+    Ok(host.solve(system, right).await.ok())
+}

@@ -1,0 +1,40 @@
+//! A step that begins where the last one has ended, with the same load: nothing has changed.
+//!
+//! Its end is where it begins, but for what friction is counted anew by, from the place of now. Multipliers with which the last end was an
+//! answer are not updated again, and where there is no load, residuals count by the forces that they counted by.
+
+use super::search::Search;
+use super::state::State;
+use crate::contact::history::LastEquilibrium;
+use crate::contact::results::ContactForces;
+
+/// What every pair presses with.
+fn pressed<const D: usize>(contact: &ContactForces<D>) -> Vec<f64> {
+    contact.pairs.iter().map(|pair| pair.pressure * pair.contact_area).collect()
+}
+
+/// Takes up what the last search knew, where nothing has changed since its end.
+pub(super) async fn taken_up<const D: usize>(search: &mut Search<D>, start: &State<D>, moved: &[f64]) {
+    if moved.iter().any(|way| *way != 0.0) {
+        return;
+    }
+    let (x, inside, pressed) = (start.x.clone(), start.inside.clone(), pressed(&start.contact));
+    let scale = search.host.contact(move |contact| {
+        contact.history.last.as_ref().filter(|last| last.is(&x, &inside, &pressed)).map(|last| last.scale)
+    });
+    if let Some(scale) = scale.await {
+        search.balance.measured_by(scale);
+        search.updates.stay();
+    }
+}
+
+/// Keeps what the next search takes up.
+pub(super) async fn kept<const D: usize>(search: &Search<D>, end: &State<D>) {
+    let last = LastEquilibrium {
+        x: end.x.clone(),
+        inside: end.inside.clone(),
+        pressed: pressed(&end.contact),
+        scale: search.balance.scale(),
+    };
+    search.host.contact(move |contact| contact.history.last = Some(last)).await;
+}
