@@ -1,5 +1,6 @@
 //! What can go wrong, one variant per cause, holding the facts; the sentence lives in `Display`.
 
+mod checks;
 mod counted;
 mod map_point;
 mod memory;
@@ -349,8 +350,7 @@ pub enum Error {
         /// Steps that were taken on each.
         steps: usize,
     },
-    /// The exact estimator would cut the facets of a pair into more pieces than can be worked through: a body is tangled with
-    /// itself all through, or two are with each other.
+    /// The exact estimator would cut facets into more pieces than can be worked through: a body is tangled with itself, or two are.
     TooManyPieces {
         /// Both sides, each `"body"` or `"obstacle"` with its index.
         sides: [(&'static str, usize); 2],
@@ -398,12 +398,3 @@ pub enum Error {
         threads: usize,
     },
 }
-
-impl Error {
-    /// Refuses a number that is negative, or none.
-    pub(crate) fn check_not_negative(name: &'static str, value: f64) -> Result<(), Self> {
-        if value.is_finite() && value >= 0.0 { Ok(()) } else { Err(Error::NotPositive { name, value }) }
-    }
-}
-
-impl std::error::Error for Error {}

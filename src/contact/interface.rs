@@ -1,5 +1,6 @@
 //! What hosts call: `contact` (the functions of [`Contact`](crate::Contact)) · `gradients` (its derivatives) · `flux` (of scalar fields) ·
-//! `ties` (of bodies that are tied) · `cohesive` (of interfaces that break) · `stateless` (all in one call)
+//! `ties` (of bodies that are tied) · `cohesive` (of interfaces that break) · `offsets` (of surfaces beside their nodes) · `surfaces` (named
+//! parts of them) · `stateless` (all in one call)
 
 mod cohesive;
 mod contact;
@@ -7,6 +8,7 @@ mod flux;
 mod gradients;
 mod offsets;
 mod stateless;
+mod surfaces;
 mod ties;
 
 pub use stateless::{FrictionStep, contact_force, contact_force_step};

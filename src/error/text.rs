@@ -3,6 +3,8 @@
 use super::{Error, MapPoint};
 use std::fmt;
 
+impl std::error::Error for Error {}
+
 impl fmt::Display for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {

@@ -1,6 +1,7 @@
 //! The search for an equilibrium, with a host of linear quadrilaterals and dense matrices.
 
 mod bodies;
+mod falling;
 mod held;
 mod limit;
 mod loose;

@@ -4,17 +4,17 @@ use super::bodies::{Block, Host};
 use fmc_contact::contact::Contact;
 use fmc_contact::contact::equilibrium::{DriverOptions, Equilibrium, Found, Next, Request};
 
-const WEIGHT: f64 = 1e3;
+pub(super) const WEIGHT: f64 = 1e3;
 
 /// Two blocks one on the other, on a floor with friction, dragged along by a part of their weight.
-fn scene() -> Host {
+pub(super) fn scene() -> Host {
     let mut host = Host::new(&[Block::unit(0.0, 0.0, 4), Block { low: [0.1, 1.0], high: [0.9, 2.0], cells: 3 }]);
     (0..2).for_each(|body| host.add_weight(body, [0.1 * WEIGHT, -WEIGHT]));
     host
 }
 
 /// The equilibrium from x with a part of the load, accepted.
-fn loaded(scene: &Host, part: f64, contact: &mut Contact<2>, x: &[f64]) -> Found<2> {
+pub(super) fn loaded(scene: &Host, part: f64, contact: &mut Contact<2>, x: &[f64]) -> Found<2> {
     let host = with_part(scene, part);
     let mut search = Equilibrium::new(contact, host.unknowns(), x, None, DriverOptions::default()).unwrap();
     let end = search.run(contact, |contact, request| host.answer(contact, request)).unwrap();

@@ -132,6 +132,10 @@ impl Host {
             let status =
                 fmc_context_tie_constraints(self.context, null, 0, nothing, null, std::ptr::null_mut(), 0, entries_at);
             assert!(checked(status) != OK || hole == 5 || entries != 77);
+            let (mut surface, facets) = (-77, Guarded::new(&[0, 1, 3]));
+            let given = unless(hole, 6, facets.ptr()).cast_const();
+            let status = checked(fmc_context_add_surface(self.context, given, 3, unless(hole, 7, &raw mut surface)));
+            assert!((status == OK) == (surface > 0) || hole == 7, "an error writes outputs");
             let coords = unless(hole, 0, (&raw const view).cast_mut());
             let none = std::ptr::null_mut();
             let status = fmc_context_tie_nodes(self.context, coords, none, 0, unless(hole, 1, &raw mut count));

@@ -27,6 +27,7 @@ mod check;
 mod conversation;
 mod downhill;
 mod elastic;
+mod falling;
 mod falling_load;
 mod host;
 mod layers;

@@ -86,16 +86,6 @@ impl<const D: usize> Contact<D> {
         self.mesh.set_symmetry_nodes(nodes)
     }
 
-    /// Names a part of the surface by its boundary facets, as they are counted by [`Self::boundary_facets`], in any order, and returns its
-    /// number: 1, 2, … It may have facets of several bodies. It stays what it is on other reference coordinates.
-    ///
-    /// # Errors
-    /// [`Error::NoSuchNumber`], naming the entry of a facet that does not exist; [`Error::Unsupported`] without facets, and for a mesh in
-    /// parts. Nothing changes then.
-    pub fn add_surface(&mut self, facets: &[usize]) -> Result<usize, Error> {
-        self.mesh.add_surface(facets)
-    }
-
     /// The options in force.
     pub fn options(&self) -> &Options {
         self.method.options()

@@ -1,9 +1,9 @@
 //! Multipliers of another load as a guess for this one.
 
 use super::elastic::deformed;
+use super::falling::Falling;
 use super::search::Search;
 use super::state::State;
-use super::stuck::Falling;
 use super::trouble::Trouble;
 use super::unknowns::{dot, norm};
 use super::unloaded::is_gone;

@@ -2,13 +2,13 @@
 
 use super::assembly::Assembly;
 use super::balance::{Balance, Verdict};
+use super::falling::Falling;
 use super::host::Host;
 use super::limit::{is_short, limit};
 use super::motions::Motions;
 use super::options::DriverOptions;
 use super::patches::Patches;
 use super::state::State;
-use super::stuck::Falling;
 use super::trouble::{Trouble, Unheld};
 use super::updates::Updates;
 use std::sync::Arc;

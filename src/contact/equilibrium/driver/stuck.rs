@@ -5,13 +5,13 @@
 //! spring back slide against what carried them along, and so first give back what is elastic: the step of facets that stick leads there,
 //! and shows which of them slide, and which way.
 
+use super::falling::Falling;
 use super::host::System;
 use super::search::Search;
 use super::state::State;
 use super::trouble::Trouble;
 use super::unknowns::moved;
 use crate::contact::changes::friction_steps::hold;
-use crate::contact::equilibrium::augmentation::AllMultipliers;
 use crate::contact::evaluation::Contact;
 use crate::contact::tangents::TangentPart;
 
@@ -20,14 +20,6 @@ const SHIFT: f64 = 1e-12;
 
 /// Part of the multipliers' change from which the change of the forces is found: so little that nothing parts.
 const LITTLE: f64 = 1e-6;
-
-/// A load that falls.
-pub(super) struct Falling<const D: usize> {
-    /// What is left of it.
-    pub(super) part: f64,
-    /// Multipliers of the load as it was.
-    pub(super) before: AllMultipliers<D>,
-}
 
 /// Where bodies go if nothing slides or parts; `None` where that is not known, or where something is in the way.
 pub(super) async fn stuck<const D: usize>(

@@ -1,0 +1,11 @@
+//! What is known of a load that falls.
+
+use crate::contact::equilibrium::augmentation::AllMultipliers;
+
+/// A load that falls.
+pub(super) struct Falling<const D: usize> {
+    /// What is left of it.
+    pub(super) part: f64,
+    /// Multipliers of the load as it was.
+    pub(super) before: AllMultipliers<D>,
+}
