@@ -28,7 +28,9 @@ impl Host {
             normal_energy: 0.0,
             shear_energy: 0.0,
             mixed_mode_exponent: 0.0,
-            reserved: [77; 4],
+            surface_a: 77,
+            surface_b: 77,
+            reserved: [77; 3],
         };
         // SAFETY: the host's own context, and structs of the header's size.
         unsafe {
@@ -58,6 +60,10 @@ impl Host {
                 (options.normal_energy, options.shear_energy) = (0.1, 0.2);
                 options.mixed_mode_exponent = from.exponent.map_or(2.0, |x| x.0);
                 (options.reach, options.softening) = (0.5, i32::from(from.law % 3));
+            }
+            if from.excluded % 5 == 4 {
+                // Parts that are there if some were named, one alone, and one that is none.
+                (options.surface_a, options.surface_b) = (1, i32::from(from.law % 3));
             }
             options.gap_offset = from.gap_offset.map_or(0.0, |x| x.0);
             let given = unless(hole, 0, &raw mut options).cast_const();
