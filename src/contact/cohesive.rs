@@ -1,5 +1,8 @@
 //! Bodies that are held together by interfaces that break: found where nothing is deformed, and damaged step by step.
+//!
+//! `held` (all of a contact) · `carried` (damage where points are found anew) · `results` (what hosts read)
 
+mod carried;
 mod held;
 mod results;
 

@@ -101,6 +101,21 @@ impl<const D: usize> Cohesion<D> {
         })
     }
 
+    /// Nodes of the first body on which a point hangs.
+    pub(crate) fn own_nodes(&self, point: &CohesivePoint) -> impl Iterator<Item = u32> {
+        let own = point.jump.iter().filter(|(place, _)| !self.of_b[*place as usize]);
+        own.map(|(place, _)| self.nodes[*place as usize])
+    }
+
+    /// Nodes on which a point hangs on either side, with their shares in it.
+    pub(crate) fn sides(&self, point: &CohesivePoint) -> [Weights; 2] {
+        let of = |second: bool, sign: f64| {
+            let on_side = point.jump.iter().filter(move |(place, _)| self.of_b[*place as usize] == second);
+            on_side.map(|(place, weight)| (self.nodes[*place as usize], sign * weight)).collect()
+        };
+        [of(false, 1.0), of(true, -1.0)]
+    }
+
     /// Where a point is, on the first body.
     pub(crate) fn position(&self, point: &CohesivePoint, points: &[[f64; D]]) -> Vector<D> {
         let own = point.jump.iter().filter(|(node, _)| !self.of_b[*node as usize]);

@@ -54,6 +54,11 @@ impl<const D: usize> PointAt<D> {
         self.response.now
     }
 
+    /// What presses here, by area.
+    pub(crate) fn pressure(&self) -> f64 {
+        (-self.response.normal).max(0.0)
+    }
+
     pub(crate) fn stored(&self) -> f64 {
         self.response.stored
     }

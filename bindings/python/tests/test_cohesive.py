@@ -135,3 +135,33 @@ def test_every_rank_has_the_bits_of_one(size):
     assert alone[2].any() and alone[0].any()
     for of_rank in on_ranks(size, found):
         assert all(np.array_equal(one, other) for one, other in zip(of_rank, alone)), of_rank
+
+
+def test_what_is_broken_stays_so_where_points_are_found_anew():
+    contact = glued()
+    torn = COORDS + np.outer((np.arange(len(COORDS)) >= 4) * COORDS[:, 0], [0.0, 0.03])
+    contact.friction.commit_step(torn)
+    damage, forces = contact.cohesive.damage.copy(), contact.evaluate(torn).forces
+    assert damage[:, 0].min() < 0.8 < 0.99 < damage[:, 0].max()
+    changes = [
+        lambda: setattr(contact.mesh, "offsets", contact.mesh.offsets),
+        lambda: contact.mesh.adjust(COORDS, close=0.01, remove=0.01),
+        lambda: contact.mesh.set_reference(COORDS),
+        lambda: contact.mesh.set_reference(COORDS + [5.0, -3.0]),
+        lambda: contact.mesh.set_reference(COORDS),
+    ]
+    for change in changes:
+        change()
+        np.testing.assert_array_equal(contact.cohesive.damage, damage)
+    np.testing.assert_array_equal(contact.evaluate(torn).forces, forces)
+    # Where they face one another nowhere there is no interface; later it is the old one again.
+    contact.mesh.set_reference(moved(0.0, 3.0))
+    with pytest.raises(errors.UntiedError):
+        contact.evaluate(torn)
+    contact.mesh.set_reference(COORDS)
+    np.testing.assert_array_equal(contact.cohesive.damage, damage)
+    # Other common pieces, a little aside: the most that a point has been through is the same, and the energy nearly so.
+    contact.mesh.set_reference(moved(0.01, 0.0))
+    assert contact.cohesive.damage[:, 0].max() == damage[:, 0].max()
+    before = damage[:, 1].mean()
+    assert contact.cohesive.damage[:, 1].mean() == pytest.approx(before, rel=0.05)

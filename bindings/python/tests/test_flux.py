@@ -137,3 +137,52 @@ def test_every_rank_has_the_bits_of_one(size):
     assert abs(alone[1][0]) > 0 and alone[4].sum() > 0
     for of_rank in on_ranks(size, found):
         assert all(np.array_equal(one, other) for one, other in zip(of_rank, alone)), of_rank
+
+
+def held(interface, **options):
+    """Squares that touch along their whole faces, held together."""
+    contact, coords, is_above = squares(0.0)
+    contact.pairs.set(0, 1, interface=interface, **options)
+    return contact, coords, is_above
+
+
+GLUE = {"normal_strength": 2.0, "normal_energy": 0.1}
+TABLES = Conductance(by_pressure=[(0.0, 3.0), (2.0, 5.0)], by_gap=[(0.0, 3.0), (0.2, 1.0)])
+
+
+@pytest.mark.parametrize(("interface", "options"), [("tied", {}), ("cohesive", GLUE), ("no_separation", {})])
+def test_what_is_held_conducts_as_what_touches(interface, options):
+    contact, coords, is_above = held(interface, **options)
+    field = np.where(is_above, 10.0, 4.0)
+    assert contact.flux(coords, field, TABLES).flux[is_above].sum() == pytest.approx(6.0 * 3.0, rel=1e-12)
+    # Pressed by its own stiffness it bears the pressure that is its force by the area of 1.
+    pressed = coords - np.where(is_above[:, None], [0.0, 0.001], 0.0)
+    pressure = contact.evaluate(pressed).forces[is_above, 1].sum()
+    assert pressure > 0.01
+    found = contact.flux(pressed, field, TABLES)
+    assert found.flux[is_above].sum() == pytest.approx(6.0 * (3.0 + pressure), rel=1e-9)
+    assert abs(found.flux.sum()) < 1e-12
+    np.testing.assert_array_equal(found.matrix.toarray(), found.matrix.toarray().T)
+
+
+def test_a_broken_part_conducts_as_a_gap_does():
+    contact, coords, is_above = held("cohesive", **GLUE)
+    field = np.where(is_above, 10.0, 4.0)
+    apart = coords + np.where(is_above[:, None], [0.0, 0.05], 0.0)
+    # Its last opening is 2 G/σ = 0.1: half way, and nearly linear from the onset on, with the damage that the interface tells.
+    contact.friction.begin_step(coords)
+    contact.friction.commit_step(apart)
+    damage = contact.cohesive.damage[0, 0]
+    assert 0.9 < damage < 1.0
+    expected = (1 - damage) * 3.0 + damage * 2.5
+    assert contact.flux(apart, field, TABLES).flux[is_above].sum() == pytest.approx(6.0 * expected, rel=1e-9)
+    contact.friction.commit_step(coords + np.where(is_above[:, None], [0.0, 0.15], 0.0))
+    assert contact.flux(apart, field, TABLES).flux[is_above].sum() == pytest.approx(6.0 * 2.5, rel=1e-9)
+
+
+def test_a_pair_that_slid_conducts_where_it_is_now():
+    contact, coords, is_above = held("no_separation")
+    field = np.where(is_above, 10.0, 4.0)
+    slid = coords + np.where(is_above[:, None], [0.25, 0.0], 0.0)
+    contact.friction.begin_step(slid)
+    assert contact.flux(slid, field, 3.0).flux[is_above].sum() == pytest.approx(6.0 * 3.0 * 0.75, rel=1e-9)

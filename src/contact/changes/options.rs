@@ -129,13 +129,12 @@ fn set_interface<const D: usize>(
     Ok(())
 }
 
-/// Finds ties and cohesive interfaces on another mesh without deformation; these are whole again.
+/// Finds ties and cohesive interfaces on another mesh without deformation; what is broken stays so.
 pub(crate) fn find_interfaces_again<const D: usize>(contact: &mut Contact<D>) {
     let Contact { mesh, method, ties, glides, cohesions, history, .. } = contact;
     glides.find_again(mesh, method.weighting());
     ties.find_again(mesh, method.weighting());
-    cohesions.find_again(mesh, method.weighting());
-    history.damage.clear();
+    cohesions.find_again(mesh, method.weighting(), &mut history.damage);
     take_out_of_contact(contact);
 }
 

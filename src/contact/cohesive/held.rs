@@ -1,5 +1,6 @@
 //! The cohesive interfaces of a contact.
 
+use super::carried::carried;
 use crate::Error;
 use crate::contact::laws::{Answer, PairEnergy};
 use crate::contact::mesh::Mesh;
@@ -7,6 +8,7 @@ use crate::contact::tangents::{Tangent, TangentPart};
 use crate::geometry::Weighting;
 use crate::interfaces::{Between, Cohesion, CohesionAt, Cohesive, CohesiveLaw, HeldFacets, PointDamage, Softened};
 use std::collections::BTreeMap;
+use std::mem::replace;
 
 /// What points have been through, by pair of bodies; nothing where a pair is not there.
 pub(crate) type Damage = BTreeMap<[usize; 2], Vec<PointDamage>>;
@@ -20,6 +22,8 @@ struct Held<const D: usize> {
     between: Between,
     /// As the mesh is without deformation; an error is that of every evaluation.
     cohesion: Result<Cohesion<D>, Error>,
+    /// The last that there was, where there is none now: what its points have been through waits for the next.
+    before: Option<Cohesion<D>>,
 }
 
 impl<const D: usize> Cohesions<D> {
@@ -47,14 +51,24 @@ impl<const D: usize> Cohesions<D> {
             return Ok(false);
         }
         let cohesion = found(mesh, weighting, &between)?;
-        self.0.insert(bodies, Held { options, between, cohesion: Ok(cohesion) });
+        self.0.insert(bodies, Held { options, between, cohesion: Ok(cohesion), before: None });
         Ok(true)
     }
 
-    /// Finds them anew, on another mesh without deformation.
-    pub(crate) fn find_again(&mut self, mesh: &Mesh<D>, weighting: Weighting) {
-        for held in self.0.values_mut() {
-            held.cohesion = found(mesh, weighting, &held.between);
+    /// Finds them anew, on another mesh without deformation. What is broken stays so.
+    pub(crate) fn find_again(&mut self, mesh: &Mesh<D>, weighting: Weighting, damage: &mut Damage) {
+        let points = mesh.placed(mesh.surface.reference().into());
+        for (bodies, held) in &mut self.0 {
+            let before = replace(&mut held.cohesion, found(mesh, weighting, &held.between));
+            let before = before.ok().or_else(|| held.before.take());
+            match (&held.cohesion, before) {
+                (Ok(now), Some(before)) => {
+                    if let Some(past) = damage.get_mut(bodies) {
+                        *past = carried([&before, now], &points, past);
+                    }
+                }
+                (_, before) => held.before = before,
+            }
         }
     }
 

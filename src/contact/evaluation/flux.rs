@@ -5,7 +5,9 @@ use super::parts::Contact;
 use super::points::Points;
 use super::walk::for_each_pair_within;
 use crate::Error;
-use crate::contact::flux::{FluxRequest, TiedSurfaces, of_bodies, of_obstacle, of_tie};
+use crate::contact::flux::{
+    Conductance, FluxRequest, HeldSurfaces, of_bodies, of_cohesion, of_glide, of_obstacle, of_tie,
+};
 use crate::overlap::{Block, Partner, merged};
 
 /// The derivative of the flux out of nodes and obstacles by a field, by points of the mesh.
@@ -16,9 +18,6 @@ pub(super) fn flux_in<const D: usize>(
 ) -> Result<Vec<Block<1>>, Error> {
     contact.mesh.surface.refuse_submesh("the flux through contact of a mesh in parts")?;
     contact.partners.check_stiffness(contact.method.options())?;
-    if !contact.glides.is_empty() {
-        return Err(Error::Unsupported { what: "the flux through bodies that do not separate" });
-    }
     let conductance = request.conductance;
     let rounding = 128.0 * f64::EPSILON * coords.as_flattened().iter().fold(0.0f64, |most, x| most.max(x.abs()));
     let reach = conductance.reach().max(rounding) + layer(contact);
@@ -27,18 +26,38 @@ pub(super) fn flux_in<const D: usize>(
         Partner::Obstacle(_) if request.of_obstacles.is_some() => of_obstacle(measured, conductance).map(Some),
         Partner::Obstacle(_) => Ok(None),
     })?;
-    if !contact.ties.is_empty() {
-        let Contact { mesh, method, .. } = contact;
-        let reference = mesh.surface.points(&mesh.placed(mesh.surface.reference().into()));
-        let now = mesh.surface.points(coords.unshifted);
-        let (surface, weighting) = (&mesh.surface, method.weighting());
-        let surfaces = TiedSurfaces { surface, reference: &reference, now: &now, weighting };
-        for held in contact.ties.all() {
-            let (tie, multipliers) = held?;
-            let stiffness = contact.stiffness_of_pair(tie.bodies.map(Partner::Body));
-            let tractions = tie.at(coords.unshifted, stiffness, multipliers).tractions;
-            parts.push(of_tie(tie, &tractions, &surfaces, conductance));
-        }
-    }
+    parts.extend(through_interfaces(contact, coords.unshifted, conductance)?);
     Ok(merged(parts))
+}
+
+/// Of pairs that are held together, at these points of the mesh.
+fn through_interfaces<const D: usize>(
+    contact: &Contact<D>,
+    points: &[[f64; D]],
+    conductance: &Conductance,
+) -> Result<Vec<Vec<Block<1>>>, Error> {
+    let Contact { mesh, method, ties, glides, cohesions, history, .. } = contact;
+    let mut parts = Vec::new();
+    if ties.is_empty() && glides.is_empty() && cohesions.is_empty() {
+        return Ok(parts);
+    }
+    let reference = mesh.surface.points(&mesh.placed(mesh.surface.reference().into()));
+    let now = mesh.surface.points(points);
+    let surfaces =
+        HeldSurfaces { surface: &mesh.surface, reference: &reference, now: &now, weighting: method.weighting() };
+    let stiffness = |bodies: [usize; 2]| contact.stiffness_of_pair(bodies.map(Partner::Body));
+    for held in ties.all() {
+        let (tie, multipliers) = held?;
+        let tractions = tie.at(points, stiffness(tie.bodies), multipliers).tractions;
+        parts.push(of_tie(tie, &tractions, &surfaces, conductance));
+    }
+    for held in glides.all() {
+        let (glide, multipliers) = held?;
+        let at = glide.at(points, stiffness(glide.first.between.bodies), multipliers);
+        parts.push(of_glide(glide, &at, &surfaces, conductance));
+    }
+    for (cohesion, at) in cohesions.at(points, &history.damage)? {
+        parts.push(of_cohesion(cohesion, &at, conductance));
+    }
+    Ok(parts)
 }

@@ -10,7 +10,8 @@ impl<const D: usize> Contact<D> {
     /// that on the other side, and the derivative of it by the field. With axisymmetry dA is that of rings.
     ///
     /// Both sides are taken at material points of their surfaces that face one another, along the normal of either side by turns. The pressure,
-    /// of which h depends, is that of the law at the penetration there. Bodies that are tied conduct where they are tied.
+    /// of which h depends, is that of the law at the penetration there. Bodies that are tied, glued or do not separate conduct
+    /// where they are held.
     ///
     /// # Errors
     /// [`Error::Length`], [`Error::BadEntry`], [`Error::Unsupported`] for a mesh in parts, [`Error::Untied`]; else as [`Self::evaluate`], but for

@@ -527,7 +527,7 @@ class Contact:
         """Flux of scalar fields through contact, of heat or of charge: int N h (T - T_other) dA out of every node.
 
         T_other is the field at the point of the other side that faces the node's. The pressure, of which h depends, is that of the law.
-        Tied bodies conduct where they are tied.
+        Bodies that are tied, glued or do not separate conduct where they are held.
 
         Parameters
         ----------

@@ -26,8 +26,8 @@ pub unsafe extern "C" fn fmc_conductance_init(conductance: *mut fmc_conductance)
 
 /// What flows through the contact at `coords`, of heat or of charge: the integral of N h (T - T_other) dA out of every node, T being a field
 /// and T_other that on the other side, which faces it. It is positive where heat leaves the node, and its sum over all nodes and obstacles is
-/// zero. Pressure, of which h depends, is that of the law. Bodies that are tied conduct where they are tied. With axisymmetry dA is that of
-/// rings.
+/// zero. Pressure, of which h depends, is that of the law. Bodies that are tied, glued or do not separate conduct where they are held. With
+/// axisymmetry dA is that of rings.
 ///
 /// `fields` has `field_count` fields, one after the other, with a value for every row of `coords`, and `flux` room for as many; `of_obstacles`
 /// has as many fields, with a value for every obstacle, removed ones included, and `obstacle_flux` room for them. NULL for `of_obstacles`:

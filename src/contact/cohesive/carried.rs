@@ -1,0 +1,28 @@
+//! What points of an interface have been through, brought to points that were found anew.
+
+use crate::geometry::Vector;
+use crate::interfaces::{Cohesion, PointDamage};
+use std::collections::BTreeMap;
+
+/// Every point of the second interface has been through what the nearest of the first has among those that hang on one of its nodes, both
+/// as they lie on the first body at these points of the mesh; one that has no such neighbour is whole. Where both have the same points all
+/// is kept as it was.
+pub(super) fn carried<const D: usize>(
+    [before, now]: [&Cohesion<D>; 2],
+    points: &[[f64; D]],
+    past: &[PointDamage],
+) -> Vec<PointDamage> {
+    let mut of_node: BTreeMap<u32, Vec<usize>> = BTreeMap::new();
+    for (number, point) in before.points.iter().enumerate().take(past.len()) {
+        before.own_nodes(point).for_each(|node| of_node.entry(node).or_default().push(number));
+    }
+    let lies: Vec<Vector<D>> = before.points.iter().map(|point| before.position(point, points)).collect();
+    let one = |point| {
+        let at = now.position(point, points);
+        let near = now.own_nodes(point).filter_map(|node| of_node.get(&node)).flatten();
+        let away = |number: &usize| (lies[*number] - at).norm_squared();
+        let nearest = near.copied().min_by(|a, b| away(a).total_cmp(&away(b)).then(a.cmp(b)));
+        nearest.map_or_else(PointDamage::default, |number| past[number])
+    };
+    now.points.iter().map(one).collect()
+}
