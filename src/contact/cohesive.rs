@@ -7,4 +7,5 @@ mod held;
 mod results;
 
 pub(super) use held::{Cohesions, Damage};
+pub(super) use results::Breaking;
 pub use results::{CohesivePoint, CohesiveSummary};

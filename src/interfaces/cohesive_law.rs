@@ -164,6 +164,17 @@ impl CohesiveLaw {
         Self { stiffness, onset, brittleness, exponent: options.exponent, softening: options.softening }
     }
 
+    /// Of opening or of sliding, whichever is larger.
+    pub(crate) fn largest_stiffness(&self) -> f64 {
+        self.stiffness[0].max(self.stiffness[1])
+    }
+
+    /// The largest tractions in pure opening and in pure sliding that are left after a damage.
+    pub(crate) fn strengths_left(&self, damage: f64) -> [f64; 2] {
+        let part = if damage < 1.0 { (1.0 - damage) * self.reached(damage) } else { 0.0 };
+        [0, 1].map(|k| part * (2.0 * self.stiffness[k] * self.onset[k]).sqrt())
+    }
+
     /// At an opening and a squared sliding, after what a point has been through.
     pub(super) fn response(&self, past: &PointDamage, opening: f64, sliding2: f64) -> Response {
         let [kn, kt] = self.stiffness;

@@ -58,11 +58,48 @@ def test_an_interface_holds_a_body_until_it_breaks(two_level):
     # Held at its lower face the lower layer does not contract there: tractions are uneven, and their sum is the load.
     assert (points.area * points.traction[:, 1]).sum() == pytest.approx(-5e-4, rel=1e-7)
     assert points.opening == pytest.approx(1e-5, rel=0.2) and not points.damage.any() and found.updates == 0
-    # What is more than the strength breaks it: no equilibrium is left.
+    # What is more than the strength breaks it: no equilibrium is left. The interface is named, with the load that it can carry.
     glued.load[first:] *= 3
-    with pytest.raises((NoSupportError, NotConvergedError)):
+    with pytest.raises((NoSupportError, NotConvergedError), match=r"interface of bodies 0 and 1 breaks.*1\.0000e-3 along its normal") as told:
         glued.step(two_level=two_level)
     assert not glued.pair.cohesive.damage.any()
+    assert "prescribe displacements" in str(told.value) and "linear solves (max_iterations" in str(told.value)
+
+
+@pytest.mark.parametrize("two_level", [True, False])
+@pytest.mark.parametrize("strength, energy", [(60 / 7e4, 0.3 / 7e7), (100 / 7e4, 0.01 / 7e6), (3 / 7e4, 0.1 / 7e8)])
+@pytest.mark.parametrize("part", [0.5, 0.01, 0.001])
+def test_an_undamaged_interface_is_linear_however_stiff(strength, energy, part, two_level):
+    # Steel or aluminium of a metre and an adhesive, by E and the size: k = 50 σ²/G is 1e4 to 1e5 E/h, and rounding of coordinates of 1 is
+    # 1e-4 of the traction k × opening.
+    glued = Glued(1.0, (4, 5), (ElementQuad1, ElementQuad1), normal_strength=strength, normal_energy=energy)
+    glued.free[glued.dofs(0, lambda x: x[1] < -1 + 1e-9)] = False
+    upper, first = glued.bases[1]
+    top = FacetBasis(upper.mesh, upper.elem, facets=upper.mesh.facets_satisfying(lambda x: x[1] > 1 - 1e-9), intorder=5)
+    glued.load[first:] = LinearForm(lambda v, w: part * strength * v[1]).assemble(top)
+    found = glued.step(two_level=two_level)
+    assert found.iterations <= 2 and not found.warnings
+    points = glued.pair.cohesive.points(glued.contact.coords(found.x))
+    assert (points.area * points.traction[:, 1]).sum() == pytest.approx(-part * strength, rel=1e-3) and not points.damage.any()
+    # The work of the load is that of a tie of the same stiffness, which rounding of openings does not touch.
+    tied = Glued(1.0, (4, 5), (ElementQuad1, ElementQuad1), normal_strength=strength, normal_energy=energy)
+    tied.pair.pairs.set(0, 1, interface="tied", stiffness=50 * strength**2 / energy)
+    tied.free, tied.load = glued.free, glued.load
+    other = find_equilibrium(lambda u: (tied.matrix @ u - tied.load, tied.matrix), tied.contact, tied.u, tied.free)
+    # A tie holds means, and the interface every point: the meshes do not match.
+    assert found.x @ glued.load == pytest.approx(other.x @ tied.load, rel=1e-3)
+
+
+def test_a_body_that_breaks_off_in_this_step_is_free_at_once():
+    glued = Glued(1.0, (2, 3), (ElementQuad1, ElementQuad2), normal_strength=1e-3, normal_energy=1e-6)
+    glued.free[glued.dofs(0, lambda x: x[1] < -1 + 1e-9)] = False
+    upper, first = glued.bases[1]
+    top = first + upper.get_dofs(lambda x: x[1] > 1 - 1e-9).all("u^2")
+    glued.free[top] = False
+    prescribed = np.zeros(len(glued.u))
+    for end, warnings in ((5e-4, []), (0.01, ["free: body 1 along (1.00, 0.00)"]), (0.02, ["free: body 1 along (1.00, 0.00)"])):
+        prescribed[top] = end
+        assert glued.step(prescribed).warnings == warnings
 
 
 def test_a_double_cantilever_beam_follows_corrected_beam_theory():

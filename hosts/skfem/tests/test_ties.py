@@ -121,6 +121,62 @@ def test_the_search_needs_no_stiffness():
     assert set(tractions.body) == {0} and np.allclose(tractions.traction, STRESSES[2][:, 1], atol=1e-6)
 
 
+def rectangle(kind, low, high, edges):
+    mesh = MeshQuad.init_tensor(*(np.linspace(low[axis], high[axis], edges[axis] + 1) for axis in range(2)))
+    if kind == "T6":
+        mesh = mesh.to_meshtri()
+    return Basis(mesh, ElementVector(IN_PLANE[kind]()), intorder=4)
+
+
+QUADRANTS = (
+    [("Q4", (0, 0), (1, 1), (2, 3)), ("Q9", (1, 0), (2, 1), (3, 2)), ("T6", (0, 1), (1, 2), (3, 4)), ("Q8", (1, 1), (2, 2), (2, 5))],
+    [(0, 1), (0, 2), (1, 3), (2, 3)],
+)
+T_JOINT = ([("Q4", (0, 0), (2, 1), (3, 2)), ("Q8", (0, 1), (0.9, 2), (3, 3)), ("T6", (0.9, 1), (2, 2), (4, 2))], [(0, 1), (0, 2), (1, 2)])
+
+
+@pytest.mark.parametrize("parts, ties", [QUADRANTS, T_JOINT])
+@pytest.mark.parametrize("size, stress_size", [(1.0, 1e-2), (1e-3, 1e-5)])
+def test_several_bodies_that_are_tied_are_one(parts, ties, size, stress_size):
+    bases = [rectangle(kind, np.multiply(size, low), np.multiply(size, high), edges) for kind, low, high, edges in parts]
+    starts = np.cumsum([0] + [basis.N for basis in bases])
+    matrix = block_diag([linear_elasticity(LAME, SHEAR).assemble(basis) for basis in bases], format="csr")
+    contact = SkfemContact(list(zip(bases, starts)))
+    for pair in ties:
+        contact.contact.pairs.set(*pair, interface="tied")
+    stress = stress_size * np.array([[1.0, 0.4], [0.4, -0.7]])
+    load, free, places = np.zeros(starts[-1]), np.ones(starts[-1], bool), np.hstack([basis.doflocs for basis in bases])
+    for basis, first in zip(bases, starts):
+        facets = basis.mesh.facets_satisfying(lambda x: np.isclose(np.abs(x / size - 1).max(0), 1), boundaries_only=True)
+        outer = FacetBasis(basis.mesh, basis.elem, facets=facets, intorder=4)
+        load[first : first + basis.N] = LinearForm(lambda v, w: np.einsum("ij,j...,i...->...", stress, w.n, v)).assemble(outer)
+    corner = np.isclose(places, 0.0).all(0)
+    other = np.flatnonzero(np.isclose(places, np.array([[2.0 * size], [0.0]])).all(0))
+    free[corner] = free[other[1]] = False
+    found = find_equilibrium(lambda u: (matrix @ u - load, matrix), contact, np.zeros(starts[-1]), free)
+    error = 0.0
+    for basis, first in zip(bases, starts):
+        gradient = basis.interpolate(found.x[first : first + basis.N]).grad
+        strain = (gradient + np.swapaxes(gradient, 0, 1)) / 2
+        own = 2 * SHEAR * strain + LAME * np.einsum("ii...->...", strain) * np.eye(2)[:, :, None, None]
+        error = max(error, np.abs(own - stress[:, :, None, None]).max() / np.abs(stress).max())
+    # The next update would change tractions by 1e-3 of the largest; a gap of that is a strain of 1/160 of it.
+    assert error < 1e-4 and not found.warnings and found.iterations <= 6, (error, found.iterations)
+
+
+def test_a_tie_of_a_given_stiffness_gives_way():
+    # Its jump is below a thousandth of the displacements, and by far more than a ten-thousandth of its tractions: it stays.
+    tied = Tied([block("Q4", 3, 0.0), block("Q4", 4, 0.5)])
+    tied.contact.contact.pairs.set(0, 1, interface="tied", stiffness=2e4)
+    tied.hold(lambda x: x[1] < 1e-9)
+    upper, first = tied.bases[1]
+    top = FacetBasis(upper.mesh, upper.elem, facets=upper.mesh.facets_satisfying(lambda x: x[1] > 1 - 1e-9), intorder=4)
+    tied.load[first:] = LinearForm(lambda v, w: 1e-3 * v[1]).assemble(top)
+    found = tied.found()
+    nodes = tied.contact.contact.tie_nodes(tied.contact.coords(found.x))
+    assert found.updates == 0 and np.allclose(np.abs(nodes.jump), np.abs(nodes.traction) / 2e4, rtol=1e-6, atol=1e-12)
+
+
 def test_a_gap_bends_by_its_shear():
     # Uniform stress along the tie does not see a gap; the error of a shear stress is the moment of the gap.
     errors = {}

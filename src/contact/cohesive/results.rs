@@ -39,3 +39,14 @@ pub struct CohesivePoint<const D: usize> {
     /// See `damage`.
     pub dissipated: f64,
 }
+
+/// A cohesive interface that breaks.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Breaking {
+    pub(crate) bodies: [usize; 2],
+    /// Parts of its area: where damage grows, and where nothing is left.
+    pub(crate) damaged: f64,
+    pub(crate) broken: f64,
+    /// The largest forces, before damage grew, along the normals and across them.
+    pub(crate) strengths: [f64; 2],
+}

@@ -56,29 +56,31 @@ impl<const D: usize> Contact<D> {
     /// multipliers have then stayed.
     pub fn augment(&mut self, coords: &[[f64; D]], reach: f64, enough: f64) -> Result<Augmentation, Error> {
         Error::check_not_negative("penetration", enough)?;
-        self.augment_unless(coords, reach, |found| found.penetration.max(found.change) <= enough)
+        self.augment_unless(coords, reach, |found, _| [found.penetration.max(found.change) <= enough; 2])
     }
 
-    /// The same, unless what is found is enough.
+    /// The same, unless what is found is enough: of contact, whose multipliers stay where that alone is, and of ties.
     pub(crate) fn augment_unless(
         &mut self,
         coords: &[[f64; D]],
         reach: f64,
-        is_enough: impl Fn(&Augmentation) -> bool,
+        is_enough: impl FnOnce(&Augmentation, &TieChange) -> [bool; 2],
     ) -> Result<Augmentation, Error> {
         let (next, mut found) = self.measured(coords, reach)?;
         let (of_ties, next_of_ties) = self.change_of_ties(coords)?;
         let (of_glides, next_glides) = self.change_of_glides(coords)?;
-        for of_interfaces in [of_ties, of_glides] {
-            found.penetration = found.penetration.max(of_interfaces.largest);
-            found.change = found.change.max(of_interfaces.largest);
-            found.mean_change = found.mean_change.max(of_interfaces.mean);
-        }
-        found.is_enough = is_enough(&found);
+        let of_interfaces = of_ties.and(of_glides);
+        found.penetration = found.penetration.max(of_interfaces.largest);
+        found.change = found.change.max(of_interfaces.largest);
+        let [is_of_contact, is_of_ties] = is_enough(&found, &of_interfaces);
+        found.mean_change = found.mean_change.max(of_interfaces.mean());
+        found.is_enough = is_of_contact && is_of_ties;
         match found.is_enough {
             true => self.history.multipliers.end_series(),
             false => {
-                self.history.multipliers = next;
+                if !is_of_contact {
+                    self.history.multipliers = next;
+                }
                 self.ties.put_back(next_of_ties);
                 self.glides = next_glides;
             }
@@ -93,19 +95,25 @@ impl<const D: usize> Contact<D> {
     /// # Errors
     /// As [`Self::augment`].
     pub fn nodal_penetration(&self, coords: &[[f64; D]], reach: f64) -> Result<f64, Error> {
-        let of_interfaces = self.change_of_ties(coords)?.0.largest.max(self.change_of_glides(coords)?.0.largest);
+        let of_interfaces = self.change_of_interfaces(coords)?.largest;
         Ok(self.measured(coords, reach)?.1.penetration.max(of_interfaces))
     }
 
+    /// What an update would change of all that is tied or does not separate.
+    pub(crate) fn change_of_interfaces(&self, coords: &[[f64; D]]) -> Result<TieChange, Error> {
+        Ok(self.change_of_ties(coords)?.0.and(self.change_of_glides(coords)?.0))
+    }
+
     fn change_of_ties(&self, coords: &[[f64; D]]) -> Result<(TieChange, TieMultipliers<D>), Error> {
-        self.ties.change(&self.mesh.points(coords)?, |pair| self.stiffness_of_pair(pair))
+        self.ties
+            .change(&self.mesh.points(coords)?, |pair| (self.stiffness_of_tie(pair), self.is_tie_stiffness_given(pair)))
     }
 
     /// What slides and does not separate: with points that are found anew where bodies have moved to.
     fn change_of_glides(&self, coords: &[[f64; D]]) -> Result<(TieChange, Glides<D>), Error> {
         let points = self.mesh.points(coords)?;
         let found = self.glides.moved_on(&self.mesh, self.method.weighting(), &points)?;
-        found.updated(&points, |pair| self.stiffness_of_pair(pair))
+        found.updated(&points, |pair| (self.stiffness_of_tie(pair), self.is_tie_stiffness_given(pair)))
     }
 
     /// Those of contact and interfaces, to be put back.

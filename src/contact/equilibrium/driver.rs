@@ -14,7 +14,8 @@
 //! - `levels`, `nearest` (with `secant`), `downhill`: the equilibrium, each from the same start where the one before has not found it;
 //! - `updates`: multipliers, until what is left of the penetration does not matter;
 //! - `patches`: those of the law `fiber`, where they are not left to the host;
-//! - `standing`: whether bodies that only contact holds stand.
+//! - `standing`: whether bodies that only contact holds stand;
+//! - `breaking`: cohesive interfaces that break on the way, for what is said where there is no equilibrium.
 //!
 //! `load_step`, `attempt`, `search` (the order of things, and what they share) · `check` (whether a host is one) · `conversation` (a procedure that asks) · `request`, `host`, `unknowns`
 //! (what of, and whom) · `state`, `balance` (bodies and contact, and when they balance) · `assembly`, `elastic`, `rows`, `limit` (where bodies
@@ -23,6 +24,7 @@
 mod assembly;
 mod attempt;
 mod balance;
+mod breaking;
 mod check;
 mod conversation;
 mod downhill;
@@ -51,6 +53,7 @@ mod settle;
 mod standing;
 mod state;
 mod stuck;
+mod told_breaking;
 mod trouble;
 mod turned;
 mod unchanged;

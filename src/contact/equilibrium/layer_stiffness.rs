@@ -6,6 +6,10 @@ use crate::contact::evaluation::Contact;
 use crate::contact::partners::LayerStiffness;
 use crate::overlap::Partner;
 
+/// Stiffness of a tie by that of contact, where the layers of cells give both. A tie neither opens nor locks; where several meet, nodes that
+/// stand for little of their area are the softer by that, and multipliers take the longer.
+const TIED: f64 = 16.0;
+
 impl<const D: usize> Contact<D> {
     /// Sets how stiff the layers of cells below the surfaces are, `None`: forgets it. Where the law of the options has a stiffness of 0,
     /// each pair without a law of its own has then the one that suits the softer of its two layers.
@@ -23,9 +27,39 @@ impl<const D: usize> Contact<D> {
         self.partners.law_of(&pair, &self.method).initial_stiffness().unwrap_or(0.0)
     }
 
-    /// The largest that any pair has.
-    pub(crate) fn largest_stiffness(&self) -> f64 {
-        self.partners.laws(&self.method).filter_map(|law| law.initial_stiffness()).fold(0.0, f64::max)
+    /// Stiffness of a tie, or of bodies that do not separate: that of the pair where it was given, else several times as much.
+    pub(crate) fn stiffness_of_tie(&self, pair: [Partner; 2]) -> f64 {
+        self.stiffness_of_pair(pair) * if self.is_tie_stiffness_given(pair) { 1.0 } else { TIED }
+    }
+
+    /// Whether that was given: a host may want a tie to give way.
+    pub(super) fn is_tie_stiffness_given(&self, mut pair: [Partner; 2]) -> bool {
+        pair.sort_unstable();
+        self.partners.table.law(&pair).is_some() || !self.method.options().law.is_without_stiffness()
+    }
+
+    /// By row of coordinates the largest stiffness by area of what may press or pull there: of the laws, which ties and bodies that do not
+    /// separate have too, and of a cohesive interface that the row moves. Damage makes an interface no stiffer.
+    pub(crate) fn stiffness_by_row(&self) -> Vec<f64> {
+        let of_laws = self.partners.laws(&self.method).filter_map(|law| law.initial_stiffness()).fold(0.0, f64::max);
+        let has_stiffer =
+            !(self.ties.is_empty() && self.glides.is_empty()) && self.method.options().law.is_without_stiffness();
+        let of_laws = if has_stiffer { TIED * of_laws } else { of_laws };
+        let mut by_row = vec![of_laws; self.mesh.surface.unknown_count()];
+        if self.cohesions.is_empty() {
+            return by_row;
+        }
+        let weights = self.mesh.surface.point_weights();
+        // One that is not on this mesh is an error of every evaluation.
+        for (cohesion, law) in self.cohesions.all().flatten() {
+            for &node in &cohesion.nodes {
+                for (row, weight) in weights.row(node as usize) {
+                    let stiffness = &mut by_row[row as usize];
+                    *stiffness = if weight == 0.0 { *stiffness } else { stiffness.max(law.largest_stiffness()) };
+                }
+            }
+        }
+        by_row
     }
 
     /// Whether any pair has friction.

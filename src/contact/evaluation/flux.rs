@@ -45,7 +45,7 @@ fn through_interfaces<const D: usize>(
     let now = mesh.surface.points(points);
     let surfaces =
         HeldSurfaces { surface: &mesh.surface, reference: &reference, now: &now, weighting: method.weighting() };
-    let stiffness = |bodies: [usize; 2]| contact.stiffness_of_pair(bodies.map(Partner::Body));
+    let stiffness = |bodies: [usize; 2]| contact.stiffness_of_tie(bodies.map(Partner::Body));
     for held in ties.all() {
         let (tie, multipliers) = held?;
         let tractions = tie.at(points, stiffness(tie.bodies), multipliers).tractions;

@@ -44,11 +44,11 @@ pub(super) fn measured_pairs<const D: usize>(
     })?;
     let (mut answers, tractions): (Vec<_>, Vec<_>) = found.into_iter().unzip();
     if !contact.ties.is_empty() {
-        let stiffness = |pair| contact.stiffness_of_pair(pair);
+        let stiffness = |pair| contact.stiffness_of_tie(pair);
         answers.extend(contact.ties.measured(coords.unshifted, stiffness, (asked.energy, asked.tangent))?);
     }
     if !contact.glides.is_empty() {
-        let stiffness = |pair| contact.stiffness_of_pair(pair);
+        let stiffness = |pair| contact.stiffness_of_tie(pair);
         answers.extend(contact.glides.measured(coords.unshifted, stiffness, (asked.energy, asked.tangent))?);
     }
     if !contact.cohesions.is_empty() {

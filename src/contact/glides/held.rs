@@ -122,25 +122,25 @@ impl<const D: usize> Glides<D> {
         self.all().map(one).collect()
     }
 
-    /// The same with the tractions that there are at these points of the mesh as multipliers, and what that changes.
+    /// The same with the tractions that there are at these points of the mesh as multipliers, and what that changes; with the
+    /// stiffness of a pair comes whether it was given.
     pub(crate) fn updated(
         &self,
         points: &[[f64; D]],
-        stiffness: impl Fn([Partner; 2]) -> f64,
+        stiffness: impl Fn([Partner; 2]) -> (f64, bool),
     ) -> Result<(TieChange, Self), Error> {
         let (mut found, mut next) = (TieChange::default(), self.clone());
-        let (mut work, mut force) = (0.0, 0.0);
         for held in next.0.values_mut() {
             let glide = held.glide.clone()?;
-            let at = glide.at(points, stiffness(glide.first.between.bodies.map(Partner::Body)), &held.multipliers);
-            for (row, (gap, traction)) in glide.rows.iter().zip(at.gaps.iter().zip(&at.tractions)) {
-                found.largest = found.largest.max(gap.abs());
-                work += row.measure * (traction * gap).abs();
-                force += row.measure * traction.abs();
-            }
+            let (stiffness, is_given) = stiffness(glide.first.between.bodies.map(Partner::Body));
+            let at = glide.at(points, stiffness, &held.multipliers);
+            let rows = glide.rows.iter().zip(at.gaps.iter().zip(&at.tractions));
+            found.add(
+                (stiffness, is_given),
+                rows.map(|(row, (gap, traction))| [row.measure, gap.abs(), traction.abs()]),
+            );
             held.multipliers = glide.rows.iter().map(|row| row.point).zip(at.tractions.iter().copied()).collect();
         }
-        found.mean = if force > 0.0 { work / force } else { 0.0 };
         Ok((found, next))
     }
 

@@ -1,7 +1,7 @@
 //! What hosts ask of cohesive interfaces.
 
 use crate::Error;
-use crate::contact::cohesive::{CohesivePoint, CohesiveSummary};
+use crate::contact::cohesive::{Breaking, CohesivePoint, CohesiveSummary};
 use crate::contact::evaluation::Contact;
 use crate::interfaces::PointDamage;
 use crate::overlap::Partner;
@@ -33,6 +33,34 @@ impl<const D: usize> Contact<D> {
                 broken_area: area_of(|damage| damage >= 1.0),
             }
         }))
+    }
+
+    /// Those whose damage is more at `coords` than what was accepted last.
+    ///
+    /// # Errors
+    /// As [`Self::cohesive`].
+    pub(crate) fn breaking(&self, coords: &[[f64; D]]) -> Result<Vec<Breaking>, Error> {
+        if self.cohesions.is_empty() {
+            return Ok(Vec::new());
+        }
+        let points = self.mesh.points(coords)?;
+        let (at, before) = (self.cohesions.at(&points, &self.history.damage)?, self.damage()?);
+        let (mut found, mut before) = (Vec::new(), before.iter());
+        for ((cohesion, at), law) in at.into_iter().zip(self.cohesions.all()) {
+            let (_, law) = law?;
+            let (mut damaged, mut broken, mut strengths) = (0.0, 0.0, [0.0; 2]);
+            for ((point, at), before) in at.points().zip(&mut before) {
+                let (part, now) = (point.measure / cohesion.area, at.now().damage);
+                damaged += if now > before.damage { part } else { 0.0 };
+                broken += if now >= 1.0 { part } else { 0.0 };
+                let left = law.strengths_left(before.damage);
+                (0..2).for_each(|k| strengths[k] += point.measure * left[k]);
+            }
+            if damaged > 0.0 {
+                found.push(Breaking { bodies: cohesion.bodies, damaged, broken, strengths });
+            }
+        }
+        Ok(found)
     }
 
     /// All points of cohesive interfaces at `coords`, by pair.

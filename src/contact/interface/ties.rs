@@ -35,7 +35,7 @@ impl<const D: usize> Contact<D> {
         let mut found = Vec::new();
         for held in self.ties.all() {
             let (tie, multipliers) = held?;
-            let at = tie.at(&points, self.stiffness_of_pair(tie.bodies.map(Partner::Body)), multipliers);
+            let at = tie.at(&points, self.stiffness_of_tie(tie.bodies.map(Partner::Body)), multipliers);
             let [a, b] = tie.bodies;
             let bodies = if tie.is_second { [b, a] } else { [a, b] };
             for (row, (jump, traction)) in tie.rows.iter().zip(at.jumps.iter().zip(&at.tractions)) {
@@ -51,7 +51,7 @@ impl<const D: usize> Contact<D> {
         for held in self.glides.all() {
             let (glide, multipliers) = held?;
             let [a, b] = glide.first.between.bodies;
-            let at = glide.at(&points, self.stiffness_of_pair([a, b].map(Partner::Body)), multipliers);
+            let at = glide.at(&points, self.stiffness_of_tie([a, b].map(Partner::Body)), multipliers);
             let bodies = if glide.first.is_second { [b, a] } else { [a, b] };
             for (number, (row, (gap, traction))) in glide.rows.iter().zip(at.gaps.iter().zip(&at.tractions)).enumerate()
             {
@@ -74,7 +74,7 @@ impl<const D: usize> Contact<D> {
             return Ok(Vec::new());
         }
         let points = self.mesh.points(coords)?;
-        let stiffness = |pair| self.stiffness_of_pair(pair);
+        let stiffness = |pair| self.stiffness_of_tie(pair);
         let part = Some(TangentPart::Semidefinite);
         let mut parts = self.ties.measured(&points, stiffness, (false, part))?;
         parts.extend(self.glides.measured(&points, stiffness, (false, part))?);

@@ -25,12 +25,50 @@ struct Held<const D: usize> {
 pub(crate) type TieMultipliers<const D: usize> = BTreeMap<[usize; 2], Vec<Vector<D>>>;
 
 /// What ties ask of their multipliers.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub(crate) struct TieChange {
     /// The largest mean jump.
     pub(crate) largest: f64,
-    /// Mean of the jumps by the tractions.
-    pub(crate) mean: f64,
+    work: f64,
+    force: f64,
+    mean_of_others: f64,
+    /// By tie whose stiffness nobody has given: what it bears, and its largest jump by that which its largest traction would call up without multipliers.
+    of_each: Vec<[f64; 2]>,
+}
+
+impl TieChange {
+    /// Adds a tie of this stiffness by area, and whether that was given, row by row: what a row stands for, and the magnitudes of its jump and traction.
+    pub(crate) fn add(&mut self, (stiffness, is_given): (f64, bool), rows: impl Iterator<Item = [f64; 3]>) {
+        let (mut jump, mut traction, mut bears) = (0.0, 0.0, 0.0);
+        for [measure, of_jump, of_traction] in rows {
+            (jump, traction) = (of_jump.max(jump), of_traction.max(traction));
+            self.work += measure * of_traction * of_jump;
+            bears += measure * of_traction;
+        }
+        self.largest = self.largest.max(jump);
+        self.force += bears;
+        if traction > 0.0 && !is_given {
+            self.of_each.push([bears, stiffness * jump / traction]);
+        }
+    }
+
+    /// Those of others too.
+    pub(crate) fn and(mut self, other: Self) -> Self {
+        self.largest = self.largest.max(other.largest);
+        self.mean_of_others = self.mean_of_others.max(other.mean());
+        self.of_each.extend(other.of_each);
+        self
+    }
+
+    /// Mean of the jumps by the tractions, of ties or of what else was added to them.
+    pub(crate) fn mean(&self) -> f64 {
+        if self.force > 0.0 { self.mean_of_others.max(self.work / self.force) } else { self.mean_of_others }
+    }
+
+    /// The largest part of its largest traction by which an update would change a traction, of ties that bear more than this.
+    pub(crate) fn of_tractions(&self, light: f64) -> f64 {
+        self.of_each.iter().filter(|[bears, _]| *bears > light).map(|[_, part]| *part).fold(0.0, f64::max)
+    }
 }
 
 impl<const D: usize> Ties<D> {
@@ -115,25 +153,25 @@ impl<const D: usize> Ties<D> {
         self.all().map(one).collect()
     }
 
-    /// What an update would change at these points, and the multipliers after it: the tractions there are.
+    /// What an update would change at these points, and the multipliers after it: the tractions there are. With the stiffness of a pair comes
+    /// whether it was given.
     pub(crate) fn change(
         &self,
         points: &[[f64; D]],
-        stiffness: impl Fn([Partner; 2]) -> f64,
+        stiffness: impl Fn([Partner; 2]) -> (f64, bool),
     ) -> Result<(TieChange, TieMultipliers<D>), Error> {
         let (mut found, mut next) = (TieChange::default(), TieMultipliers::new());
-        let (mut work, mut force) = (0.0, 0.0);
         for held in self.all() {
             let (tie, multipliers) = held?;
-            let at = tie.at(points, stiffness(tie.bodies.map(Partner::Body)), multipliers);
-            for (row, (jump, traction)) in tie.rows.iter().zip(at.jumps.iter().zip(&at.tractions)) {
-                found.largest = found.largest.max(jump.norm());
-                work += row.measure * traction.norm() * jump.norm();
-                force += row.measure * traction.norm();
-            }
+            let (stiffness, is_given) = stiffness(tie.bodies.map(Partner::Body));
+            let at = tie.at(points, stiffness, multipliers);
+            let rows = tie.rows.iter().zip(at.jumps.iter().zip(&at.tractions));
+            found.add(
+                (stiffness, is_given),
+                rows.map(|(row, (jump, traction))| [row.measure, jump.norm(), traction.norm()]),
+            );
             next.insert(tie.bodies, at.tractions);
         }
-        found.mean = if force > 0.0 { work / force } else { 0.0 };
         Ok((found, next))
     }
 

@@ -29,8 +29,8 @@ pub(super) enum Verdict {
 /// What a search judges its states by.
 pub(super) struct Balance {
     tolerance: f64,
-    /// Stiffness of the contact by area.
-    pressed: f64,
+    /// Stiffness of contact and interfaces by area, row by row of coordinates.
+    pressed: Vec<f64>,
     /// Forces at the start, if it was an equilibrium, of this load or another.
     at_start: f64,
     /// Forces by which the last state was judged.
@@ -42,7 +42,7 @@ pub(super) struct Balance {
 }
 
 impl Balance {
-    pub(super) fn new(tolerance: f64, pressed: f64) -> Self {
+    pub(super) fn new(tolerance: f64, pressed: Vec<f64>) -> Self {
         Self { tolerance, pressed, at_start: 0.0, scale: 0.0, last: f64::INFINITY, stalled: 0, history: Vec::new() }
     }
 
@@ -53,7 +53,7 @@ impl Balance {
         assembly: &Assembly<D>,
         start: &State<D>,
     ) -> Result<(), Trouble> {
-        let rounding = start.rounding(host, assembly, self.pressed).await?;
+        let rounding = start.rounding(host, assembly, &self.pressed).await?;
         let scale = start.scale(&rounding.of_state);
         if start.beyond(host, &rounding.of_state) <= BALANCED * scale {
             self.at_start = scale;
@@ -87,7 +87,7 @@ impl Balance {
         assembly: &Assembly<D>,
         state: &State<D>,
     ) -> Result<Verdict, Trouble> {
-        let rounding = state.rounding(host, assembly, self.pressed).await?;
+        let rounding = state.rounding(host, assembly, &self.pressed).await?;
         let scale = state.scale(&rounding.of_state).max(self.at_start);
         self.scale = scale;
         let beyond = state.beyond(host, &rounding.of_state);

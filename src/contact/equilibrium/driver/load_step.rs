@@ -11,6 +11,7 @@ use super::outcome::{Found, Refusal};
 use super::parts::in_parts;
 use super::patches::Patches;
 use super::search::Search;
+use super::told_breaking::with_what_breaks;
 use super::trouble::Trouble;
 use super::updates::Updates;
 use crate::contact::changes::friction_steps::take_up;
@@ -35,6 +36,7 @@ pub(super) async fn load_step<const D: usize>(asking: Asking<D>, step: LoadStep<
             has_friction,
             unloaded: None,
             falling: None,
+            broken: Vec::new(),
             free: Vec::new(),
             warnings: Vec::new(),
         },
@@ -44,6 +46,7 @@ pub(super) async fn load_step<const D: usize>(asking: Asking<D>, step: LoadStep<
     match in_parts(&mut search, &step).await {
         Ok(found) => Ok(found),
         Err(trouble) => {
+            let trouble = with_what_breaks(&search, trouble);
             let undo = search.host.contact(move |contact| {
                 contact.release_friction();
                 if contact.history.stiffened != stiffened {
@@ -62,7 +65,7 @@ pub(super) async fn load_step<const D: usize>(asking: Asking<D>, step: LoadStep<
 async fn prepared<const D: usize>(
     host: &Host<D>,
     step: &LoadStep<D>,
-) -> Result<(Assembly<D>, Motions, bool, f64), Trouble> {
+) -> Result<(Assembly<D>, Motions, bool, Vec<f64>), Trouble> {
     if step.options.penetration > 0.0 {
         // It would be refused where it is reached, after a whole search.
         host.contact(|contact| contact.check_multipliers()).await?;
@@ -78,6 +81,6 @@ async fn prepared<const D: usize>(
         host.contact(move |contact| contact.begin_step(&coords)).await?;
     }
     let motions = Motions::loose(host, &assembly, &host.unknowns.coords(&step.x)).await?;
-    let pressed = host.contact(|contact| contact.largest_stiffness()).await;
+    let pressed = host.contact(|contact| contact.stiffness_by_row()).await;
     Ok((assembly, motions, has_friction, pressed))
 }

@@ -2,9 +2,11 @@
 
 use super::attempt::{LoadStep, Reached, equilibrium};
 use super::balance::Verdict;
+use super::breaking::breaking;
 use super::falling_load::falling_load;
 use super::host::System;
 use super::levels::FINER;
+use super::motions::Motions;
 use super::outcome::Found;
 use super::overlaps::overlaps;
 use super::search::Search;
@@ -187,6 +189,11 @@ async fn finished<const D: usize>(
     }
     if let Some(text) = search.updates.left(search.assembly.finest()) {
         search.warn(text);
+    }
+    if !breaking(&search.host, &reached.state.x).await?.is_empty() {
+        // What an interface held when the step began it may hold no more.
+        let coords = search.host.unknowns.coords(&reached.state.x);
+        search.motions = Motions::loose(&search.host, &search.assembly, &coords).await?;
     }
     standing(search, &reached.state).await?;
     kept(search, &reached.state).await;

@@ -2,6 +2,7 @@
 
 use super::assembly::Assembly;
 use super::balance::{Balance, Verdict};
+use super::breaking::breaking;
 use super::falling::Falling;
 use super::host::Host;
 use super::limit::{is_short, limit};
@@ -11,6 +12,7 @@ use super::patches::Patches;
 use super::state::State;
 use super::trouble::{Trouble, Unheld};
 use super::updates::Updates;
+use crate::contact::cohesive::Breaking;
 use std::sync::Arc;
 
 /// What the parts of a search share.
@@ -28,6 +30,8 @@ pub(super) struct Search<const D: usize> {
     pub(super) unloaded: Option<Unloaded>,
     /// Where the load is a part of that of the step before, and nothing has moved yet.
     pub(super) falling: Option<Falling<D>>,
+    /// Cohesive interfaces in the last state in which damage grew.
+    pub(super) broken: Vec<Breaking>,
     /// Bodies that nothing holds where they have come to rest.
     pub(super) free: Vec<Unheld>,
     /// What the user should know.
@@ -80,6 +84,8 @@ impl<const D: usize> Search<D> {
 
     /// How nearly a state is in equilibrium, with surfaces moved out where it is near one.
     pub(super) async fn judged(&mut self, mut state: State<D>) -> Result<(State<D>, Verdict), Trouble> {
+        let broken = breaking(&self.host, &state.x).await?;
+        self.broken = if broken.is_empty() { std::mem::take(&mut self.broken) } else { broken };
         let mut verdict = self.balance.judge(&self.host, &self.assembly, &state).await?;
         let relative = self.balance.relative();
         if let Some(patches) = &mut self.patches

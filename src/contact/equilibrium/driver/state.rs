@@ -94,18 +94,18 @@ impl<const D: usize> State<D> {
         (at(0.0, self.norm(host)), at(bodies + after - before, other.norm(host)))
     }
 
-    /// What rounding may leave of the residual here. `pressed` is the stiffness of the contact by area.
+    /// What rounding may leave of the residual here. `pressed` is the stiffness by area of what presses and pulls, row by row.
     pub(super) async fn rounding(
         &self,
         host: &Host<D>,
         assembly: &Assembly<D>,
-        pressed: f64,
+        pressed: &[f64],
     ) -> Result<Rounding, Trouble> {
         let farthest = assembly.position.iter().map(|x| x.amax()).fold(0.0, f64::max) + largest(&self.x);
         let mut touched = vec![0.0; host.unknowns.count];
         for (place, unknown) in host.unknowns.of_coordinate.iter().enumerate() {
             if let Some(unknown) = unknown.filter(|&unknown| self.forces[unknown] != 0.0) {
-                touched[unknown] = pressed * assembly.area[place / D].abs() * farthest;
+                touched[unknown] = pressed[place / D] * assembly.area[place / D].abs() * farthest;
             }
         }
         let own = host.product(self.x.iter().map(|x| x.abs()).collect(), true).await?;

@@ -42,6 +42,20 @@ impl Trouble {
     }
 }
 
+impl Trouble {
+    /// With more to be said of it.
+    pub(super) fn and(self, more: &str) -> Self {
+        let with = |text: String| format!("{text}; {more}");
+        match self {
+            Trouble::Contact(_) => self,
+            Trouble::Host(text) => Trouble::Host(with(text)),
+            Trouble::Hopeless(text) => Trouble::Hopeless(with(text)),
+            Trouble::Unheld(unheld, text) => Trouble::Unheld(unheld, with(text)),
+            Trouble::Failed(text) => Trouble::Failed(with(text)),
+        }
+    }
+}
+
 impl std::fmt::Display for Trouble {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {

@@ -8,13 +8,17 @@ use super::state::State;
 use super::trouble::Trouble;
 use super::unknowns::dot;
 use crate::Error;
-use crate::contact::equilibrium::Augmentation;
 use crate::contact::evaluation::Contact;
 use crate::contact::results::ContactForces;
+use crate::contact::ties::TieChange;
 
 /// Work of the contact forces on the penetration, by that of the bodies' own forces, that does not matter: the part by which forces are
 /// too small.
 const NEGLIGIBLE: f64 = 1e-3;
+
+/// Part of its largest traction by which an update may still change a tie. Work does not tell: what is tied is one body, and where several
+/// ties meet a gap far below the mean displacement is a stress of its own.
+const TIED: f64 = 1e-3;
 
 /// Updates where nobody has asked for a penetration, and as long as each of them changes the forces by more than a negligible part.
 const BY_DEFAULT: usize = 4;
@@ -59,6 +63,10 @@ pub(super) struct Updates {
     /// Number of them before the part that is under way.
     before: usize,
     is_needed: bool,
+    /// Part of all contact forces of which a tie bears no more where residuals that are left might be its traction.
+    light: f64,
+    /// Whether the last update still changed the tractions of ties.
+    are_ties_moving: bool,
     /// Whether the last state would have been given another update.
     is_cut_short: bool,
     pub(super) count: usize,
@@ -82,6 +90,8 @@ impl Updates {
             fallen_from: 0.0,
             before: 0,
             is_needed: true,
+            light: 10.0 * options.tolerance / TIED,
+            are_ties_moving: false,
             is_cut_short: false,
             count: 0,
             found: None,
@@ -93,7 +103,8 @@ impl Updates {
         self.is_needed = is_needed;
         // Where a penetration is asked for, a load step has as many as were asked for, whatever its parts.
         self.before = if self.asked.is_some() { 0 } else { self.count };
-        (self.pressed, self.last, self.is_cut_short) = (0.0, f64::INFINITY, false);
+        (self.pressed, self.last) = (0.0, f64::INFINITY);
+        (self.is_cut_short, self.are_ties_moving) = (false, false);
     }
 
     /// The multipliers are those of an equilibrium that was found with them, and of this load: unless a penetration is asked for, they stay.
@@ -135,7 +146,7 @@ impl Updates {
         if pressed <= UNLOADED * self.fallen_from {
             return Ok(false);
         }
-        let is_changing = (pressed - self.pressed).abs() > NEGLIGIBLE * pressed;
+        let is_changing = (pressed - self.pressed).abs() > NEGLIGIBLE * pressed || self.are_ties_moving;
         let count = self.count - self.before;
         if count >= self.most && !is_over {
             return Ok(false);
@@ -154,7 +165,8 @@ impl Updates {
             Err(error) => return Err(error.into()),
         };
         self.found = Some(update.penetration);
-        self.is_cut_short = !update.is_enough && !may && is_changing;
+        self.are_ties_moving = update.are_ties_moving;
+        self.is_cut_short = !update.is_enough && !may && (is_changing || update.are_ties_moving);
         match self.asked {
             _ if update.is_enough => Ok(false),
             Some(wanted) if !may => {
@@ -178,14 +190,15 @@ impl Updates {
             return Ok(Wanted::OfAll(asked));
         }
         if pressed == 0.0 {
-            return Ok(Wanted::OnAverage(f64::MAX));
+            return Ok(Wanted::OnAverage { penetration: f64::MAX, rounding: f64::MAX, light: 0.0 });
         }
         let coords = host.unknowns.coords(&state.x);
         let (deformed, farthest) = deformed(host, &state.x).await?;
         let work = dot(&deformed, &host.product(deformed.clone(), false).await?);
         // Large numbers on the diagonal, by which a host may hold unknowns, are no stiffness of the bodies.
         let rounding = ROUNDING * coords.as_flattened().iter().fold(0.0, |most: f64, x| most.max(x.abs()));
-        Ok(Wanted::OnAverage((NEGLIGIBLE * (work.abs() / pressed).min(farthest)).max(rounding)))
+        let penetration = (NEGLIGIBLE * (work.abs() / pressed).min(farthest)).max(rounding);
+        Ok(Wanted::OnAverage { penetration, rounding, light: self.light * pressed })
     }
 
     /// Makes the contact stiffer where a penetration was asked for, and updates are slow.
@@ -209,14 +222,23 @@ fn pressed<const D: usize>(contact: &ContactForces<D>) -> f64 {
 enum Wanted {
     /// At every node.
     OfAll(f64),
-    /// As the mean by the pressures.
-    OnAverage(f64),
+    /// As the mean by the pressures. Jumps of ties that bear more than `light` do not matter where they are rounding, or their tractions
+    /// change no more.
+    OnAverage { penetration: f64, rounding: f64, light: f64 },
 }
 
 impl Wanted {
     fn of_all(self) -> f64 {
         match self {
-            Wanted::OfAll(wanted) | Wanted::OnAverage(wanted) => wanted,
+            Wanted::OfAll(wanted) | Wanted::OnAverage { penetration: wanted, .. } => wanted,
+        }
+    }
+
+    /// Whether an update changes the tractions of ties by what matters.
+    fn are_moving(self, ties: &TieChange) -> bool {
+        match self {
+            Wanted::OfAll(_) => false,
+            Wanted::OnAverage { rounding, light, .. } => ties.largest > rounding && ties.of_tractions(light) > TIED,
         }
     }
 }
@@ -225,6 +247,7 @@ struct Update {
     penetration: f64,
     change: f64,
     is_enough: bool,
+    are_ties_moving: bool,
 }
 
 /// Updates the multipliers where it may; else it measures the penetration alone.
@@ -237,12 +260,19 @@ fn update<const D: usize>(
 ) -> Result<Update, Error> {
     if !may {
         let penetration = contact.nodal_penetration(coords, reach)?;
-        return Ok(Update { penetration, change: penetration, is_enough: penetration <= wanted.of_all() });
+        let are_ties_moving = wanted.are_moving(&contact.change_of_interfaces(coords)?);
+        let is_enough = penetration <= wanted.of_all() && !are_ties_moving;
+        return Ok(Update { penetration, change: penetration, is_enough, are_ties_moving });
     }
-    let is_enough = |found: &Augmentation| match wanted {
-        Wanted::OfAll(wanted) => found.penetration.max(found.change) <= wanted,
-        Wanted::OnAverage(wanted) => found.mean_change <= wanted,
-    };
-    let found = contact.augment_unless(coords, reach, is_enough)?;
-    Ok(Update { penetration: found.penetration, change: found.change, is_enough: found.is_enough })
+    let mut are_ties_moving = false;
+    let found = contact.augment_unless(coords, reach, |found, ties| {
+        are_ties_moving = wanted.are_moving(ties);
+        match wanted {
+            Wanted::OfAll(wanted) => [found.penetration.max(found.change) <= wanted; 2],
+            Wanted::OnAverage { penetration, .. } => {
+                [found.mean_change <= penetration, ties.mean() <= penetration && !are_ties_moving]
+            }
+        }
+    })?;
+    Ok(Update { penetration: found.penetration, change: found.change, is_enough: found.is_enough, are_ties_moving })
 }
