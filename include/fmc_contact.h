@@ -607,7 +607,8 @@ fmc_status fmc_context_counts(const fmc_context *context,
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUSY`. Threads: several at once on one context, as long as no call
 // changes it.
-fmc_status fmc_context_welded_node_count(const fmc_context *context, size_t *count);
+fmc_status fmc_context_welded_node_count(const fmc_context *context,
+                                         size_t *count);
 
 // Sets a callback that is asked some twenty times a second, while a call computes, whether it is to end; NULL, the default: none.
 //

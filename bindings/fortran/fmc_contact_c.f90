@@ -849,7 +849,7 @@ module fmc_contact_c
     function fmc_context_welded_node_count(context, count) bind(c)
       import
       type(c_ptr), value :: context
-      integer(c_size_t), intent(inout) :: count
+      integer(c_size_t), intent(inout), optional :: count
       integer(c_int32_t) :: fmc_context_welded_node_count
     end function
     function fmc_context_set_interrupt(context, callback, user) bind(c)

@@ -431,7 +431,7 @@ static void contexts(void) {
   EXPECT(FMC_ERROR_NOT_POSITIVE, "'exponent' is 0.5", BODIES);
   wanted = own, wanted.struct_size = 0;
   EXPECT(FMC_ERROR_STRUCT_SIZE, "fmc_pair_options has struct_size 0", BODIES);
-  wanted = own, wanted.reserved[3] = 1;
+  wanted = own, wanted.reserved[2] = 1;
   EXPECT(FMC_ERROR_RESERVED_FIELD, "later version", BODIES);
   wanted = own, wanted.softening = 2;
   EXPECT(FMC_ERROR_BAD_VALUE, "option 'softening' has no value 2", BODIES);
