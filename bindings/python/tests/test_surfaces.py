@@ -51,6 +51,15 @@ def test_what_is_refused_changes_nothing(contact: Contact) -> None:
         contact.mesh.add_surface(np.zeros(12, bool))
     with pytest.raises(TypeError, match="'facets'"):
         contact.mesh.add_surface([0.5])
+    # Marks of another mesh name other facets.
+    for marks in (np.ones(11, bool), np.ones((12, 1), bool)):
+        with pytest.raises(ValueError, match="there are 12 boundary facets"):
+            contact.mesh.add_surface(marks)
+    for wrong in (surface, (surface,), (surface, "left")):
+        with pytest.raises(TypeError, match="two numbers of add_surface are wanted"):
+            contact.pairs.set(0, 1, interface="tied", surfaces=wrong)
+    with pytest.raises(ValueError, match="no such number"):
+        contact.pairs.set(0, 1, interface="tied", surfaces=(surface, 2**32 + surface))
     with pytest.raises(BadValueError, match="entry 1 of 'surfaces' is 7"):
         contact.pairs.set(0, 1, interface="tied", surfaces=(surface, 7))
     with pytest.raises(OptionsConflictError, match="'surface_a'"):

@@ -16,6 +16,7 @@ from ._core import Core
 from ._library import library
 from ._structs import fmc_adjustment
 from .boundary import BoundaryFacets, boundary_facets
+from .errors import BadValueError
 from .points import PointWeights, point_weights
 
 
@@ -316,6 +317,8 @@ class Mesh:
         ------
         TypeError
             If the numbers are no integers.
+        ValueError
+            If there is not one mark for every facet.
         BadValueError
             If there is no such facet.
         UnsupportedError
@@ -328,10 +331,15 @@ class Mesh:
         """
         places = np.asarray(facets)
         if places.dtype == bool:
+            count = len(self.boundary_facets().body)
+            if places.shape != (count,):
+                raise ValueError(f"'facets' has marks of shape {places.shape}, and there are {count} boundary facets")
             places = np.flatnonzero(places)
         if places.ndim != 1 or not (places.size == 0 or np.issubdtype(places.dtype, np.integer)):
             raise TypeError("'facets' must be a list of integers, or of bools")
-        # A negative number becomes one that is too large, and is refused.
+        if places.size and places.min() < 0:
+            entry = int(places.argmin())
+            raise BadValueError(f"entry {entry} of 'facets' is {places[entry]}, a negative number")
         named, surface = places.astype(np.uintp), np.zeros(1, np.int32)
         pointer = named.ctypes.data_as(POINTER(c_size_t))
         with self._core.handle:

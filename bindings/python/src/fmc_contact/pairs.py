@@ -36,6 +36,17 @@ def _named(partner: Partner) -> tuple[int, int]:
     return numbers[kind], index_of(kind, index)
 
 
+def _two(surfaces: Any) -> tuple[int, int]:
+    """Numbers of two named parts of surfaces."""
+    try:
+        a, b = (index(surface) for surface in surfaces)
+    except (TypeError, ValueError):
+        raise TypeError(f"surfaces is {surfaces!r}, and two numbers of add_surface are wanted") from None
+    if not (0 <= a < 1 << 31 and 0 <= b < 1 << 31):
+        raise ValueError(f"surfaces is {surfaces!r}, and add_surface has given no such number")
+    return a, b
+
+
 class Pairs:
     """Options of single pairs: a pair is excluded, or has a law of its own.
 
@@ -169,7 +180,7 @@ class Pairs:
         own.normal_energy, own.shear_energy = float(normal_energy), float(shear_energy)
         own.static_coefficient, own.weakening_slip = float(static_coefficient), float(weakening_slip)
         if surfaces is not None:
-            own.surface_a, own.surface_b = (index(surface) for surface in surfaces)
+            own.surface_a, own.surface_b = _two(surfaces)
         if friction_coefficient is not None:
             own.friction_coefficient = float(friction_coefficient)
         if law is not None:
