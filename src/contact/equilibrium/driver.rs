@@ -10,12 +10,12 @@
 //! - `falling_load`: multipliers of another load fall with it;
 //! - `parts`: what is prescribed moves as far as nothing passes through anything, then the next part;
 //! - `unloaded`: bodies whose load is gone come to rest undeformed beside one another, if they can;
-//! - `stuck`: where a load falls that friction is borne with, the first step has nothing slide;
-//! - `levels`, `nearest` (with `secant`), `downhill`: the equilibrium, each from the same start where the one before has not found it;
+//! - `stuck` (with `falling`, what is known of it): where a load falls that friction is borne with, the first step has nothing slide;
+//! - `levels`, `nearest` (with `secant`, `turned`), `downhill`: the equilibrium, each from the same start where the one before has not found it;
 //! - `updates`: multipliers, until what is left of the penetration does not matter;
 //! - `patches`: those of the law `fiber`, where they are not left to the host;
 //! - `standing`: whether bodies that only contact holds stand;
-//! - `breaking`: cohesive interfaces that break on the way, for what is said where there is no equilibrium.
+//! - `breaking`, `told_breaking`: cohesive interfaces that break on the way, for what is said where there is no equilibrium.
 //!
 //! `load_step`, `attempt`, `search` (the order of things, and what they share) · `check` (whether a host is one) · `conversation` (a procedure that asks) · `request`, `host`, `unknowns`
 //! (what of, and whom) · `state`, `balance` (bodies and contact, and when they balance) · `assembly`, `elastic`, `rows`, `limit` (where bodies

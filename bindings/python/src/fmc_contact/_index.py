@@ -1,9 +1,9 @@
-"""Numbers of bodies and obstacles, as they are given."""
+"""Integers, as they are given."""
 
 from __future__ import annotations
 
 from operator import index
-from typing import Any
+from typing import Any, Optional
 
 import numpy as np
 
@@ -12,12 +12,17 @@ from .errors import BodyOutOfRangeError, ObstacleOutOfRangeError
 _OUT_OF_RANGE = {"body": BodyOutOfRangeError, "obstacle": ObstacleOutOfRangeError}
 
 
+def integer(value: Any) -> Optional[int]:
+    """An integer of any kind, and no truth value; None for anything else."""
+    try:
+        return None if isinstance(value, (bool, np.bool_)) else index(value)
+    except TypeError:
+        return None
+
+
 def index_of(kind: str, number: Any) -> int:
     """The number of a body or an obstacle: an integer that is not negative. Whether there is one so high the library says."""
-    try:
-        found = None if isinstance(number, (bool, np.bool_)) else index(number)
-    except TypeError:
-        found = None
+    found = integer(number)
     if found is None:
         raise TypeError(f"{kind} {number!r} is no integer")
     if not 0 <= found < 1 << 63:

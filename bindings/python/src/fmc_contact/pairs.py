@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from ctypes import byref
-from operator import index
 from typing import Any, Optional, Union
 
 from ._constants import (
@@ -15,7 +15,7 @@ from ._constants import (
     FMC_SOFTENING,
 )
 from ._core import Core
-from ._index import index_of
+from ._index import index_of, integer
 from ._library import check, library
 from ._structs import fmc_pair_options, fmc_tie
 from .ties import Tie
@@ -38,10 +38,10 @@ def _named(partner: Partner) -> tuple[int, int]:
 
 def _two(surfaces: Any) -> tuple[int, int]:
     """Numbers of two named parts of surfaces."""
-    try:
-        a, b = (index(surface) for surface in surfaces)
-    except (TypeError, ValueError):
-        raise TypeError(f"surfaces is {surfaces!r}, and two numbers of add_surface are wanted") from None
+    found = [integer(surface) for surface in surfaces] if isinstance(surfaces, Iterable) else []
+    if len(found) != 2 or found[0] is None or found[1] is None:
+        raise TypeError(f"surfaces is {surfaces!r}, and two numbers of add_surface are wanted")
+    a, b = found[0], found[1]
     if not (0 <= a < 1 << 31 and 0 <= b < 1 << 31):
         raise ValueError(f"surfaces is {surfaces!r}, and add_surface has given no such number")
     return a, b

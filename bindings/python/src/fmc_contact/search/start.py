@@ -2,21 +2,18 @@
 
 from __future__ import annotations
 
-from operator import index
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from .._arrays import finite, numbers
+from .._index import integer
 
 
 def count(name: str, value: Any, least: int) -> int:
     """A whole number that is given as an argument of this name."""
-    try:
-        found = None if isinstance(value, (bool, np.bool_)) else index(value)
-    except TypeError:
-        found = None
+    found = integer(value)
     if found is None or not least <= found < 1 << 31:
         raise ValueError(f"{name} is {value!r}, and an integer of at least {least} is wanted")
     return found
