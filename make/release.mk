@@ -1,7 +1,7 @@
 # What takes long: every step of a release.
 #
 # make release   every step below and more, one after another; log: packaging/release-log.md
-#                test packages compat peers agree press starts dealii calculix examples sanitizers fuzz-long mutants
+#                test packages compat peers agree press starts dealii calculix examples sanitizers scenes fuzz-long mutants
 # make fuzz      arbitrary input for 60 s; make fuzz-long: ten million executions
 
 # Ten million executions, an hour or two.
@@ -10,7 +10,13 @@ FUZZ_RUNS ?= 10000000
 fuzz-long:
 	SAID=$(abspath $(TARGET))/said-$@ fuzz/run.sh runs=$(FUZZ_RUNS)
 
-RELEASE_STEPS ?= test packages compat peers-test peers agree press starts dealii calculix examples sanitizers fuzz-long mutants
+# Random positions of two blocks, judged by what must hold in each: some ten minutes.
+SCENES ?= 1000..50000
+
+scenes:
+	FMC_SCENES=$(SCENES) $(CARGO) test -p fmc-contact --release --test scenes
+
+RELEASE_STEPS ?= test packages compat peers-test peers agree press starts dealii calculix examples sanitizers scenes fuzz-long mutants
 
 release:
 	.ci/release $(RELEASE_STEPS)
