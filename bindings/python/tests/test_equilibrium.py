@@ -7,6 +7,7 @@ import sys
 import numpy as np
 import pytest
 from fmc_contact import Contact, NoSupportError, NotConvergedError, errors, find_equilibrium
+from elastic import stiffness
 from scenes import K
 
 YOUNG = 100.0
@@ -26,6 +27,13 @@ def column():
     matrix += np.diag([1e-3, 0.0] * 8)
     contact = Contact(coords, [[0, 1, 2, 3], [4, 5, 6, 7]], "quad", stiffness=K, law="depth", estimator="auto")
     return coords, contact, lambda x: (matrix @ (x - coords).ravel(), matrix)
+
+
+def two_blocks():
+    """Two unit squares of four cells, one on the other."""
+    square = np.array([[x, y] for y in (0, 0.5, 1) for x in (0, 0.5, 1)])
+    cells = np.array([[0, 1, 4, 3], [1, 2, 5, 4], [3, 4, 7, 6], [4, 5, 8, 7]])
+    return np.vstack([square, square + [0.2, 1.0]]), np.vstack([cells, cells + 9])
 
 
 HELD = [0, 1, 2, 3, 12, 13, 14, 15]
@@ -332,6 +340,27 @@ def test_a_contact_without_a_stiffness_gets_one_from_the_bodies(column):
     assert found.residuals[-1] <= 1e-9 and found.updates > 0
     assert found.penetration <= 1e-3 * 0.05
     assert found.reactions[:2, 1].sum() == pytest.approx(0.05 * YOUNG / 2, rel=0.005)
+
+
+@pytest.mark.parametrize("upper", [1e-6, 1e-3, 0.1, 1.0, 10.0, 1e3, 1e6])
+@pytest.mark.parametrize("lower", [1e-3, 1.0, 1e3])
+def test_a_contact_that_is_used_again_follows_another_stiffness_of_the_bodies(lower, upper):
+    coords, quads = two_blocks()
+    target = coords - [0.0, 0.02] * (coords[:, 1:] > 1.9)
+    free = np.flatnonzero(np.repeat((coords[:, 1] > 0) & (coords[:, 1] < 1.9), 2))
+
+    def host(*factors):
+        matrix = stiffness(coords, quads, YOUNG * np.repeat(factors, 4))
+        return lambda x: (matrix @ (x - coords).ravel(), matrix)
+
+    def force(contact, *factors):
+        found = find_equilibrium(host(*factors), contact, coords, free, target)
+        return -found.reactions[coords[:, 1] > 1.9, 1].sum()
+
+    used, unused = [Contact(coords, quads, "quad") for _ in range(2)]
+    force(used, 1.0, 1.0)
+    # Of the penetration of a few thousandths of the push that is left, which is another one by another stiffness.
+    assert force(used, lower, upper) == pytest.approx(force(unused, lower, upper), rel=5e-3)
 
 
 def test_a_body_that_nothing_stops_is_named(column):

@@ -3,6 +3,7 @@
 use crate::Error;
 use crate::contact::changes;
 use crate::contact::evaluation::Contact;
+use crate::contact::history::sorted;
 use crate::contact::partners::LayerStiffness;
 use crate::overlap::Partner;
 
@@ -19,6 +20,21 @@ impl<const D: usize> Contact<D> {
     /// [`Error::ObstacleOutOfRange`], [`Error::ObstacleRemoved`]. What was set before then stays.
     pub fn set_layer_stiffness(&mut self, stiffness: Option<LayerStiffness>) -> Result<(), Error> {
         changes::options::set_layer_stiffness(self, stiffness)
+    }
+
+    /// The same, with pressures of multipliers and tractions of elastic slip as they were.
+    pub(crate) fn take_layer_stiffness(&mut self, stiffness: LayerStiffness) -> Result<(), Error> {
+        let before = self.layer_stiffness().cloned();
+        self.set_layer_stiffness(Some(stiffness.clone()))?;
+        let Some(before) = before else { return Ok(()) };
+        let is_slip_of_law = self.options().friction.has_stiffness_of_law();
+        let table = &self.partners.table;
+        let factor = |pair: &[Partner; 2]| match table.law(&sorted(*pair)) {
+            Some(_) => 1.0,
+            None => stiffness.of_pair(*pair) / before.of_pair(*pair),
+        };
+        self.history.stiffen_pairs(factor, is_slip_of_law);
+        Ok(())
     }
 
     /// Stiffness k of the law that a pair follows, pressure by penetration; 0 where there is none yet.

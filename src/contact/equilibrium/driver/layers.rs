@@ -14,37 +14,48 @@ const NEAR: f64 = 2.0;
 /// An unknown whose own stiffness exceeds that of the median so much is held by the host, not by its body.
 const HELD: f64 = 1e4;
 
-/// Measures the layers where the law has no stiffness and none are known, or a pair meets that was not near before: whether it did. The
-/// host has the matrix of x.
+/// Factor between a stiffness that is known and that of the matrix at hand beyond which another host model is before the contact: below
+/// it, as where a material softens, the known one presses as well.
+const ANOTHER: f64 = 4.0;
+
+/// Measures the layers where the law has no stiffness and none are known, a pair meets that was not near before, or the bodies are others
+/// than those that were measured: whether it did. The host has the matrix of x.
 pub(super) async fn complete<const D: usize>(
     host: &Host<D>,
     assembly: &Assembly<D>,
     x: &[f64],
 ) -> Result<bool, Trouble> {
     let known = host.contact(|contact| match contact.options().law.is_without_stiffness() {
-        true => Some(contact.layer_stiffness().cloned().unwrap_or_default()),
+        true => Some((contact.layer_stiffness().cloned().unwrap_or_default(), contact.history.stiffened)),
         false => None,
     });
-    let Some(known) = known.await else { return Ok(false) };
+    let Some((known, stiffened)) = known.await else { return Ok(false) };
     let near = neighbours(host, assembly, x).await?;
-    if known.bodies.len() == assembly.rows.len() && near.keys().all(|pair| known.near.contains_key(pair)) {
+    let diagonal = host.diagonal().await?;
+    let bodies = of_bodies(host, assembly, &diagonal).await?;
+    let is_like = |(known, found): (&f64, &f64)| {
+        let factor = known / (found * stiffened);
+        (1.0 / ANOTHER..=ANOTHER).contains(&factor)
+    };
+    let is_known = known.bodies.len() == bodies.len() && near.keys().all(|pair| known.near.contains_key(pair));
+    if is_known && known.bodies.iter().zip(&bodies).all(is_like) {
         return Ok(false);
     }
-    let found = measured(host, assembly, near).await?;
-    host.contact(move |contact| contact.set_layer_stiffness(Some(found))).await?;
+    let found = measured(host, assembly, (&diagonal, bodies), near).await?;
+    host.contact(move |contact| contact.take_layer_stiffness(found.times(stiffened))).await?;
     Ok(true)
 }
 
-async fn measured<const D: usize>(
+/// Of the whole surface of every body.
+async fn of_bodies<const D: usize>(
     host: &Host<D>,
     assembly: &Assembly<D>,
-    neighbours: Neighbours,
-) -> Result<LayerStiffness, Trouble> {
-    let diagonal = host.diagonal().await?;
-    let (mut bodies, mut near) = (Vec::new(), BTreeMap::new());
+    diagonal: &[f64],
+) -> Result<Vec<f64>, Trouble> {
+    let mut bodies = Vec::new();
     for rows in &assembly.rows {
         let surface: Vec<usize> = rows.iter().copied().filter(|&row| assembly.area[row] > 0.0).collect();
-        bodies.push(layer(host, assembly, &diagonal, &surface).await?);
+        bodies.push(layer(host, assembly, diagonal, &surface).await?);
     }
     // A body that resists no motion of its surface has the stiffness of the softest that does.
     let softest = bodies.iter().copied().filter(|layer| *layer > 0.0).fold(f64::INFINITY, f64::min);
@@ -54,8 +65,18 @@ async fn measured<const D: usize>(
         return Err(Trouble::Failed(text.into()));
     }
     bodies.iter_mut().for_each(|layer| *layer = if *layer > 0.0 { *layer } else { softest });
+    Ok(bodies)
+}
+
+async fn measured<const D: usize>(
+    host: &Host<D>,
+    assembly: &Assembly<D>,
+    (diagonal, bodies): (&[f64], Vec<f64>),
+    neighbours: Neighbours,
+) -> Result<LayerStiffness, Trouble> {
+    let mut near = BTreeMap::new();
     for ((body, partner), rows) in neighbours {
-        let found = layer(host, assembly, &diagonal, &rows).await?;
+        let found = layer(host, assembly, diagonal, &rows).await?;
         near.insert((body, partner), if found > 0.0 { found } else { bodies[body] });
     }
     Ok(LayerStiffness { bodies, near })

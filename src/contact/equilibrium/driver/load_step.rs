@@ -22,7 +22,7 @@ pub(super) async fn load_step<const D: usize>(asking: Asking<D>, step: LoadStep<
     let host = Host::new(asking, step.unknowns.clone());
     // A search that was left where it was may have left it.
     host.contact(|contact| contact.history.apart_at = None).await;
-    let (before, stiffened) = host.contact(|contact| (contact.all_multipliers(), contact.history.stiffened)).await;
+    let stiffened = host.contact(|contact| contact.history.stiffened).await;
     let is_found = host.contact(|contact| contact.options().law.is_without_stiffness()).await;
     let mut search = match prepared(&host, &step).await {
         Ok((assembly, motions, has_friction, pressed)) => Search {
@@ -42,7 +42,8 @@ pub(super) async fn load_step<const D: usize>(asking: Asking<D>, step: LoadStep<
         },
         Err(trouble) => return Err(Refusal::new(trouble, Vec::new(), host.solves())),
     };
-    let begun = search.host.contact(|contact| contact.history.begun()).await;
+    // By the stiffness with which the search began.
+    let (before, begun) = search.host.contact(|contact| (contact.all_multipliers(), contact.history.begun())).await;
     match in_parts(&mut search, &step).await {
         Ok(found) => Ok(found),
         Err(trouble) => {
