@@ -26,3 +26,4 @@ pub(crate) use agreed::hash_in_common;
 pub(crate) use needed::{Needed, needed};
 pub use parts::Contact;
 pub(super) use parts::assemble;
+pub(crate) use points::moved_out;

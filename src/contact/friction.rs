@@ -7,7 +7,7 @@
 //! ```
 //!
 //! `options` · `return_mapping` (from slip to traction) · `past_points`, `step` (the state when
-//! the step began) · `side_motion` (how one side moved since) · `touch` (the part of the step during which a facet bears) · `carried` (elastic slip from one step to the next) · `carriers` (the facets on which a point
+//! the step began) · `moved_out` (surfaces that multipliers move out) · `side_motion` (how one side moved since) · `touch` (the part of the step during which a facet bears) · `carried` (elastic slip from one step to the next) · `carriers` (the facets on which a point
 //! lies) · `energy` (what a facet has dissipated) · `bore` (limits before) · `facet_sums` (sums over the points of a facet) · `slip_facets` (the facets of a pair with their slip) ·
 //! `tractions` (forces, tangent and energies of a pair) · `frozen` (facets and pressure of an earlier iteration) ·
 //! `at_points` (what hosts see) · `heat` (where dissipated energy goes)
@@ -20,6 +20,7 @@ mod energy;
 mod facet_sums;
 mod frozen;
 mod heat;
+mod moved_out;
 mod options;
 mod past_points;
 mod return_mapping;
@@ -35,6 +36,7 @@ pub(super) use carried::{CarriedSlip, list as list_slip, of_list as slip_of_list
 pub(super) use carriers::SliderName;
 pub(super) use frozen::FrozenFriction;
 pub(super) use heat::heat_of_released;
+pub(super) use moved_out::{Material, MovedOut};
 pub use options::{Friction, StaticFriction};
 pub(super) use past_points::PastPoints;
 pub(super) use return_mapping::Stick;

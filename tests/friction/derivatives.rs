@@ -8,12 +8,27 @@ use fmc_shapes::Splitmix;
 
 /// Largest difference of the friction's part of the tangent from that of its forces, by its largest product; the upper
 /// block stood `above` when the step began.
-fn error<const D: usize>(scene: &Scene<D>, options: Options, (by, above): (f64, f64), delta: f64) -> f64 {
-    let contact = begun(scene, options, &raised(scene, above));
-    let smooth = scene.contact(Options { friction: Friction::default(), ..options });
+fn error<const D: usize>(scene: &Scene<D>, options: Options, way: (f64, f64), delta: f64) -> f64 {
+    error_with(scene, options, way, delta, false)
+}
+
+/// The same, also of surfaces that multipliers move out.
+fn error_with<const D: usize>(
+    scene: &Scene<D>,
+    options: Options,
+    (by, above): (f64, f64),
+    delta: f64,
+    is_moved_out: bool,
+) -> f64 {
+    let mut contact = begun(scene, options, &raised(scene, above));
+    let mut smooth = scene.contact(Options { friction: Friction::default(), ..options });
     let mut random = Splitmix::new(5);
     let mut coords = slid(scene, by);
     coords.iter_mut().flatten().for_each(|x| *x += 0.05 * delta * random.between(-1.0, 1.0));
+    if is_moved_out {
+        contact.augment(&coords, 0.1, 0.0).expect("multipliers");
+        smooth.set_multipliers(&contact.multipliers()).expect("multipliers");
+    }
     let tangent = contact.tangent(&coords, TangentPart::Full).expect("a tangent");
     let without = smooth.tangent(&coords, TangentPart::Full).expect("a tangent");
     let mut largest = (0.0f64, 0.0f64);
@@ -74,6 +89,22 @@ fn of_what_touches_within_the_step() {
         for scene in in_space(delta) {
             let found = error(&scene, options, (by, 1.5 * delta), delta);
             assert!(found < most, "3D {:?} by {by}: {found} of {most}", options.law);
+        }
+    }
+}
+
+/// Of surfaces that multipliers move out, where they press with twice their penetration; in the step in which they are moved out.
+#[test]
+fn of_surfaces_that_are_moved_out() {
+    let delta = 1e-3;
+    let most = 2.0 * 0.5 * delta / 0.3 * 4.0;
+    for (by, above) in [(0.1, 0.0), (1.0, 0.0), (0.2, 1.5), (2.0, 1.5)] {
+        for options in laws(0.3) {
+            let way = (by * delta, above * delta);
+            let planes = in_plane(delta).map(|scene| error_with(&scene, options, way, delta, true));
+            let spaces = in_space(delta).map(|scene| error_with(&scene, options, way, delta, true));
+            println!("{:?} {way:?}: {planes:?} {spaces:?} of {most:.2e}", options.law);
+            assert!(planes.iter().chain(&spaces).all(|found| *found < most), "{options:?}: {planes:?} {spaces:?}");
         }
     }
 }

@@ -9,6 +9,7 @@ mod frozen;
 mod impact;
 mod limits;
 mod memoryless;
+mod moved_out;
 mod rings;
 mod side_state;
 mod steps;

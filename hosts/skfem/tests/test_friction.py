@@ -233,3 +233,30 @@ def test_lagged_friction_leads_to_the_same_equilibrium(law: str) -> None:
     moved = np.abs(found[False][0] - block.start).max()
     assert np.abs(found[True][0] - found[False][0]).max() < 1e-7 * moved, found
     assert sum(found[True][1]) > sum(found[False][1])
+
+
+def test_a_step_in_which_nothing_changes_needs_no_solve() -> None:
+    """Also where multipliers have moved the surfaces out: slip is that of the material."""
+    block = Block("depth", k=1.0)
+    block.contact.set_options(stiffness=0.0)
+    top = np.flatnonzero(block.start[:, 1] > 0.5 - 1e-9)
+    free = np.setdiff1d(np.arange(block.start.size), np.concatenate([2 * top, 2 * top + 1]))
+
+    def host(x: np.ndarray) -> tuple[np.ndarray, csr_matrix]:
+        return block.stiffness @ (x - block.start).ravel(), block.stiffness
+
+    x = block.start.copy()
+    block.contact.friction.begin_step(x)
+    for part in (0.5, 1.0):
+        end = x.copy()
+        end[top] = block.start[top] + part * np.array([2e-3, -5e-3])
+        x = find_equilibrium(host, block.contact, x, free, end).x
+        before = block.contact.evaluate(x)
+        assert len(block.contact.multipliers.values) > 0 and before.friction.slip_area > 0.1 < before.friction.stick_area
+        block.contact.friction.commit_step(x)
+        after = block.contact.evaluate(x)
+        assert np.abs(after.forces - before.forces).max() < 1e-12 * np.abs(before.forces).max()
+    for _ in range(2):
+        again = find_equilibrium(host, block.contact, x, free, x.copy())
+        assert again.iterations == 0 and np.array_equal(again.x, x)
+        block.contact.friction.commit_step(x)

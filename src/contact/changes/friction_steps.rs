@@ -2,9 +2,9 @@
 //! the next.
 
 use crate::Error;
-use crate::contact::evaluation::{Contact, kernels};
+use crate::contact::evaluation::{Contact, kernels, moved_out};
 use crate::contact::friction::{
-    CarriedSlip, FacetSlip, FrozenFriction, PastPoints, SliderName, SlipFacets, Step, list_slip, slip_of_list,
+    CarriedSlip, FacetSlip, FrozenFriction, MovedOut, PastPoints, SliderName, SlipFacets, Step, list_slip, slip_of_list,
 };
 use crate::contact::history::{Bearings, Begun};
 use crate::geometry::Vector;
@@ -156,7 +156,10 @@ fn hold_some<const D: usize>(
 /// A step that begins here.
 fn step_at<const D: usize>(contact: &Contact<D>, coords: &[[f64; D]], slip: CarriedSlip<D>) -> Result<Step<D>, Error> {
     let Contact { mesh, partners, .. } = contact;
-    Ok(Step::new(&mesh.surface, past_points(contact, coords)?, partners.obstacles.poses(), slip, mesh.epoch()))
+    let points = mesh.points(coords)?;
+    let moved = moved_out(contact, &points).map(|moved| MovedOut::new(&mesh.surface, &points, &moved));
+    let step = Step::new(&mesh.surface, past_points(contact, coords)?, partners.obstacles.poses(), slip, mesh.epoch());
+    Ok(step.with_moved_out(moved))
 }
 
 /// Points of the mesh to remember.

@@ -18,7 +18,7 @@ pub(super) fn friction_heat_in<const D: usize>(
 ) -> Result<FrictionHeat, Error> {
     check_ready(contact)?;
     let mut facets = for_each_pair(contact, coords, |measured| {
-        let slides = if contact.history.frozen.is_none() { sliding(contact, measured)? } else { None };
+        let slides = if contact.history.frozen.is_none() { sliding(contact, coords, measured)? } else { None };
         let Some(sliding) = slides else { return Ok(None) };
         let asked = Asked { slides: true, ..Asked::default() };
         let answer = measured.law.measure(measured, &asked)?;

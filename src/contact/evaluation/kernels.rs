@@ -5,7 +5,7 @@ use super::friction_heat::friction_heat_in;
 use super::gradients::gradients_in;
 use super::measured::measured_pairs;
 use super::parts::Contact;
-use super::points::Points;
+use super::points::{Points, moved_out};
 use super::sliding::{check_ready, sliding};
 use super::walk::{for_each_pair, for_each_pair_within};
 use crate::Error;
@@ -46,17 +46,10 @@ fn on_points<const D: usize, T: OntoNodes>(
     work: impl FnOnce(&Points<D>) -> Result<T, Error>,
 ) -> Result<T, Error> {
     let unshifted = contact.mesh.points(coords)?;
-    let is_shifted = surfaces == Surfaces::Shifted && !contact.history.multipliers.is_empty();
-    let shifted = is_shifted.then(|| {
-        let mut points = unshifted.to_vec();
-        contact.history.multipliers.add_to(&mut points);
-        if !contact.method.weighting().is_plain() {
-            // A surface is moved out no farther than to the axis, and along it there: normals of its facets alone do not know of it.
-            points.iter_mut().zip(unshifted.iter()).for_each(|(point, at)| point[0] = point[0].max(at[0].min(0.0)));
-        }
-        points
-    });
-    let found = work(&Points { measured: shifted.as_deref().unwrap_or(&unshifted), unshifted: &unshifted });
+    let shifted = if surfaces == Surfaces::Shifted { moved_out(contact, &unshifted) } else { None };
+    let slides = shifted.is_some() && contact.partners.has_friction(contact.method.options());
+    let vertices = if slides { contact.mesh.surface.points(&unshifted) } else { Vec::new() };
+    let found = work(&Points { measured: shifted.as_deref().unwrap_or(&unshifted), unshifted: &unshifted, vertices });
     let Some(division) = contact.mesh.surface.division() else { return found };
     Ok(found.map_err(|error| division.in_host_numbers(error))?.onto_nodes(division))
 }
@@ -171,7 +164,7 @@ fn evaluate_with<const D: usize>(
 
 fn forces_of<const D: usize>(
     contact: &Contact<D>,
-    coords: &[[f64; D]],
+    coords: &Points<D>,
     energies: impl Iterator<Item = PairEnergy<D>>,
     tractions: &[Tractions<D>],
 ) -> Result<ContactForces<D>, Error> {
@@ -182,7 +175,7 @@ fn forces_of<const D: usize>(
     let mut forces = ContactForces::assemble(
         &contact.mesh.surface,
         contact.partners.obstacles.count(),
-        coords,
+        (coords.measured, coords.unshifted),
         &energies,
         tractions,
     )?;
@@ -254,11 +247,11 @@ fn evaluate_tangent_in<const D: usize>(
 }
 
 /// All facets on which friction acts, by pair.
-fn slip_facets_in<const D: usize>(contact: &Contact<D>, coords: &[[f64; D]]) -> Result<SlipFacetsByPair<D>, Error> {
+fn slip_facets_in<const D: usize>(contact: &Contact<D>, coords: &Points<D>) -> Result<SlipFacetsByPair<D>, Error> {
     check_ready(contact)?;
     let asked = Asked { slides: true, ..Asked::default() };
     for_each_pair(contact, coords, |measured| {
-        let Some(sliding) = sliding(contact, measured)? else { return Ok(None) };
+        let Some(sliding) = sliding(contact, coords, measured)? else { return Ok(None) };
         let answer = measured.law.measure(measured, &asked)?;
         Ok(answer.map(|answer| SlipFacets::new(measured, &sliding, &answer.points)))
     })
@@ -289,10 +282,10 @@ fn trace_in<const D: usize>(contact: &Contact<D>, coords: &[[f64; D]]) -> Result
     Ok(traces.into_iter().flatten().collect())
 }
 
-fn nodal_contact_in<const D: usize>(contact: &Contact<D>, coords: &[[f64; D]]) -> Result<NodalContact<D>, Error> {
+fn nodal_contact_in<const D: usize>(contact: &Contact<D>, coords: &Points<D>) -> Result<NodalContact<D>, Error> {
     check_ready(contact)?;
     let pairs = for_each_pair(contact, coords, |measured| {
-        let sliding = sliding(contact, measured)?;
+        let sliding = sliding(contact, coords, measured)?;
         let asked = Asked { energy: true, nodal_sums: true, slides: sliding.is_some(), ..Asked::default() };
         let Some(answer) = measured.law.measure(measured, &asked)? else { return Ok(None) };
         let friction = sliding.map_or_else(Vec::new, |sliding| {
@@ -306,13 +299,15 @@ fn nodal_contact_in<const D: usize>(contact: &Contact<D>, coords: &[[f64; D]]) -
 
 fn contact_points_in<const D: usize>(
     contact: &Contact<D>,
-    coords: &[[f64; D]],
+    coords: &Points<D>,
 ) -> Result<Vec<PointOfContact<D>>, Error> {
     check_ready(contact)?;
     let points = for_each_pair(contact, coords, |measured| {
-        let sliding = sliding(contact, measured)?;
-        let asked = Asked { points: true, slides: sliding.is_some(), ..Asked::default() };
-        let Some(answer) = measured.law.measure(measured, &asked)? else { return Ok(None) };
+        let sliding = sliding(contact, coords, measured)?;
+        let is_of_bodies = matches!(measured.pair.partners, [Partner::Body(a), Partner::Body(b)] if a != b);
+        let is_curved = is_of_bodies && contact.mesh.may_be_curved() && measured.law.needs_depth();
+        let asked = Asked { points: true, slides: sliding.is_some(), energy: is_curved, ..Asked::default() };
+        let Some(mut answer) = measured.law.measure(measured, &asked)? else { return Ok(None) };
         let friction = sliding.map(|sliding| {
             SlipFacets::new(measured, &sliding, &answer.points).at_points(measured.pair, &answer.points)
         });

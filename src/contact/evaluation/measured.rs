@@ -28,7 +28,7 @@ pub(super) fn measured_pairs<const D: usize>(
         false => for_each_pair(contact, coords, work),
     };
     let found = each(&|measured| {
-        let slides = if contact.history.frozen.is_none() { sliding(contact, measured)? } else { None };
+        let slides = if contact.history.frozen.is_none() { sliding(contact, coords, measured)? } else { None };
         let (slides_here, wants_energy) = (slides.is_some(), asked.energy);
         let asked = Asked { slides: slides_here, energy: wants_energy || asked.rotations, ..*asked };
         let Some(mut answer) = measured.law.measure(measured, &asked)? else { return Ok(None) };

@@ -1,6 +1,7 @@
 //! How pairs slide.
 
 use super::parts::Contact;
+use super::points::Points;
 use crate::Error;
 use crate::contact::friction::{Sliding, Stick};
 use crate::contact::laws::{Measured, PairLaw};
@@ -14,11 +15,13 @@ pub(crate) fn check_ready<const D: usize>(contact: &Contact<D>) -> Result<(), Er
 }
 
 /// How a pair slides, `None` for one without friction.
-pub(crate) fn sliding<'a, const D: usize>(
+pub(super) fn sliding<'a, const D: usize>(
     contact: &'a Contact<D>,
+    coords: &'a Points<D>,
     measured: &Measured<D>,
 ) -> Result<Option<Sliding<'a, D>>, Error> {
-    sliding_of(contact, &measured.pair.partners, measured.law)
+    let sliding = sliding_of(contact, &measured.pair.partners, measured.law)?;
+    Ok(sliding.map(|sliding| Sliding { material: coords.material(), ..sliding }))
 }
 
 /// The same of a pair that follows this law.
@@ -38,7 +41,7 @@ fn sliding_of<'a, const D: usize>(
     let now = partners.bearing_rule(pair, method.options(), mesh.hashes());
     let bearings = history.bearings.as_ref().and_then(|bearings| bearings.of(pair, now));
     let is_by_depth = law.initial_stiffness().is_some();
-    Ok(Some(Sliding { friction, stick, step, bearings, is_by_depth }))
+    Ok(Some(Sliding { friction, stick, step, material: None, bearings, is_by_depth }))
 }
 
 /// The pairs that were in contact when the step began and are not any more, with the energy that was stored in them; `found` are those that

@@ -61,14 +61,18 @@ pub(super) fn add_point<const D: usize>(
     let (normal, part) = (carriers.normal, carriers.part);
     let [last_of_a, last_of_b] = last;
     let sides = [
-        SideMotion::new(pair, sliding.step, (point, 0), last_of_a)?,
-        SideMotion::new(pair, sliding.step, (point, 1), last_of_b)?,
+        SideMotion::new(pair, sliding, (point, 0), last_of_a)?,
+        SideMotion::new(pair, sliding, (point, 1), last_of_b)?,
     ];
     let turned = (sides[0].deformation + sides[1].deformation) * 0.5;
     let slip = (sides[0].now - sides[1].now) - turned * (sides[0].start - sides[1].start);
-    let approach = normal.dot(&slip);
-    let slip = slip - normal * approach;
-    let position = (sides[0].now + sides[1].now) * 0.5;
+    // Surfaces come nearer also as they are moved out; the material does not slip by that.
+    let out = (sides[0].out - sides[1].out) - turned * (sides[0].was_out - sides[1].was_out);
+    let approach = normal.dot(&(slip + out));
+    let slip = slip - normal * normal.dot(&slip);
+    // Cells bear where their material is.
+    let inside = sides.iter().find(|side| sliding.material.is_some() && side.is_inside());
+    let position = inside.map_or((sides[0].now + sides[1].now) * 0.5, |side| side.now);
     for (of_b, facet) in carriers.facets() {
         let name = (pair.partners, of_b, in_surface(pair, of_b, facet)?);
         let new = || Sums::new(sides[usize::from(of_b)].deformation, sliding.coefficient(&name));

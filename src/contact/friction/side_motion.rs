@@ -9,7 +9,7 @@
 //!
 //! so that forces and moments of both sides cancel.
 
-use super::step::Step;
+use super::step::{Sliding, Step};
 use crate::contact::laws::{PointOnSide, PressurePoint};
 use crate::geometry::facet::area_vector;
 use crate::geometry::facet_slopes::slopes;
@@ -22,6 +22,9 @@ pub(crate) struct SideMotion<const D: usize> {
     /// The material point now, and when the step began.
     pub(crate) now: Vector<D>,
     pub(crate) start: Vector<D>,
+    /// From it to where the surface is measured, now and then.
+    pub(crate) out: Vector<D>,
+    pub(crate) was_out: Vector<D>,
     /// Deformation since then.
     pub(crate) deformation: SMatrix<f64, D, D>,
     pub(crate) movers: Movers<D>,
@@ -44,28 +47,31 @@ impl<const D: usize> SideMotion<D> {
     /// Of one side, 0 or 1, of a point; `None` where a facet has no measure, or a cell is flat.
     pub(crate) fn new(
         pair: &Pair<D>,
-        step: &Step<D>,
+        sliding: &Sliding<D>,
         (point, side): (&PressurePoint<D>, usize),
         last: &mut LastFacet<D>,
     ) -> Option<Self> {
+        let step = sliding.step;
         match &point.middles[side] {
             PointOnSide::Surface(SurfacePoint::Facet { of_b, facet, weights }) if !of_b || pair.pose.is_none() => {
-                Self::of_facet(pair, step, (*of_b, *facet, weights), last)
+                Self::of_facet(pair, sliding, (*of_b, *facet, weights), last)
             }
             PointOnSide::Surface(end) => Self::of_obstacle(pair, step, pair.position(end)),
             PointOnSide::Rigid(position) => Self::of_obstacle(pair, step, *position),
-            PointOnSide::Cell(place) => Self::in_cell(pair, step, place, &point.gradients),
+            PointOnSide::Cell(place) => Self::in_cell(pair, sliding, place, &point.gradients),
         }
     }
 
     fn of_facet(
         pair: &Pair<D>,
-        step: &Step<D>,
+        sliding: &Sliding<D>,
         (of_b, facet, weights): (bool, u32, &[f64; D]),
         last: &mut LastFacet<D>,
     ) -> Option<Self> {
+        let (step, material) = (sliding.step, sliding.material);
         let vertices = pair.side(of_b).facets[facet as usize];
-        let corners = pair.side(of_b).corners(facet as usize);
+        let measured = pair.side(of_b).corners(facet as usize);
+        let corners = material.map_or(measured, |material| vertices.map(|v| material.vertices[v as usize]));
         let starts = vertices.map(|v| step.points[v as usize]);
         let frame = match *last {
             Some((known, frame)) if known == (of_b, facet) => frame,
@@ -74,25 +80,45 @@ impl<const D: usize> SideMotion<D> {
         *last = Some(((of_b, facet), frame));
         let FacetFrame { gradients, normal, deformation } = frame;
         let sum = |x: &[Vector<D>; D]| x.iter().zip(weights).fold(Vector::zeros(), |sum, (x, w)| sum + x * *w);
+        let now = sum(&corners);
+        let out = if material.is_some() { sum(&measured) - now } else { Vector::zeros() };
+        let was_out = step.moved_out.as_ref().map_or(Vector::zeros(), |out| sum(&vertices.map(|v| out.at_vertex(v))));
         Some(Self {
-            now: sum(&corners),
+            now,
             start: sum(&starts),
+            out,
+            was_out,
             deformation,
             movers: Movers::Facet { vertices, weights: *weights, gradients, normal },
         })
     }
 
-    fn in_cell(pair: &Pair<D>, step: &Step<D>, place: &PlaceInCell, gradients: &[Vector<D>; 8]) -> Option<Self> {
+    fn in_cell(pair: &Pair<D>, sliding: &Sliding<D>, place: &PlaceInCell, gradients: &[Vector<D>; 8]) -> Option<Self> {
+        let Sliding { step, material, .. } = sliding;
         let nodes = pair.surface.cells.as_ref()?.nodes(place.cell as usize);
-        let (mut now, mut start, mut back) = (Vector::zeros(), Vector::zeros(), SMatrix::<f64, D, D>::zeros());
-        for ((&node, &weight), gradient) in nodes.iter().zip(&place.weights).zip(gradients) {
-            let old = Vector::from(step.coords[node as usize]);
-            now += Vector::from(pair.coords[node as usize]) * weight;
-            start += old * weight;
-            back += old * gradient.transpose();
-        }
+        let sum = |of_node: &dyn Fn(u32) -> Vector<D>| {
+            nodes.iter().zip(&place.weights).fold(Vector::zeros(), |sum, (&node, &weight)| sum + of_node(node) * weight)
+        };
+        // By the place now, as surfaces are measured.
+        let slope = |of_points: &dyn Fn(u32) -> Vector<D>| {
+            let all = nodes.iter().zip(gradients);
+            all.fold(SMatrix::zeros(), |sum, (&node, gradient)| sum + of_points(node) * gradient.transpose())
+        };
+        let old = |node: u32| Vector::from(step.coords[node as usize]);
+        let measured = |node: u32| Vector::from(pair.coords[node as usize]);
+        let back: SMatrix<f64, D, D> = slope(&old);
+        let back = back.try_inverse()?;
+        let (now, out, deformation) = match material {
+            None => (sum(&measured), Vector::zeros(), back),
+            Some(material) => {
+                let here = |node: u32| Vector::from(material.points[node as usize]);
+                let now = sum(&here);
+                (now, sum(&measured) - now, slope(&here) * back)
+            }
+        };
+        let was_out = step.moved_out.as_ref().map_or(Vector::zeros(), |out| sum(&|node| out.at_point(node)));
         let movers = Movers::Cell { cell: place.cell, weights: place.weights };
-        Some(Self { now, start, deformation: back.try_inverse()?, movers })
+        Some(Self { now, start: sum(&old), out, was_out, deformation, movers })
     }
 
     fn of_obstacle(pair: &Pair<D>, step: &Step<D>, now: Vector<D>) -> Option<Self> {
@@ -100,7 +126,14 @@ impl<const D: usize> SideMotion<D> {
         let old: &Pose<D> = step.pose(obstacle, pose);
         let turn = |pose: &Pose<D>| SMatrix::<f64, D, D>::from_fn(|i, j| pose.rotation[i][j] * pose.scale);
         let deformation = turn(pose) * turn(old).transpose() / (old.scale * old.scale);
-        Some(Self { now, start: old.place(&pose.unplace(&now)), deformation, movers: Movers::Rigid })
+        let zero = Vector::zeros();
+        let start = old.place(&pose.unplace(&now));
+        Some(Self { now, start, out: zero, was_out: zero, deformation, movers: Movers::Rigid })
+    }
+
+    /// Whether it lies within a cell.
+    pub(crate) fn is_inside(&self) -> bool {
+        matches!(self.movers, Movers::Cell { .. })
     }
 
     /// Calls `visit(what moves the side, by what the point moves with it, by what the middle does)`; the middle lies at `arm` from the

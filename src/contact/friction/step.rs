@@ -2,6 +2,7 @@
 
 use super::carried::{CarriedSlip, released};
 use super::carriers::SliderName;
+use super::moved_out::{Material, MovedOut};
 use super::options::Friction;
 use super::past_points::PastPoints;
 use super::return_mapping::Stick;
@@ -17,6 +18,8 @@ pub(crate) struct Step<const D: usize> {
     pub(crate) coords: PastPoints<D>,
     /// Places of the surface's vertices.
     pub(crate) points: Vec<Vector<D>>,
+    /// How far surfaces were moved out, where any was.
+    pub(crate) moved_out: Option<MovedOut<D>>,
     /// Which coordinates these are, of a mesh that is given in parts.
     pub(crate) epoch: u64,
     /// Poses of the obstacles; `None` for one that was removed.
@@ -33,7 +36,12 @@ impl<const D: usize> Step<D> {
         slip: CarriedSlip<D>,
         epoch: u64,
     ) -> Self {
-        Self { points: surface.points(coords.placed()), coords, epoch, poses, slip }
+        Self { points: surface.points(coords.placed()), moved_out: None, coords, epoch, poses, slip }
+    }
+
+    /// The same step, which began with surfaces that were moved out.
+    pub(crate) fn with_moved_out(self, moved_out: Option<MovedOut<D>>) -> Self {
+        Self { moved_out, ..self }
     }
 
     /// Has the surface have lain elsewhere when it began.
@@ -66,6 +74,8 @@ pub(crate) struct Sliding<'a, const D: usize> {
     pub(crate) friction: Friction,
     pub(crate) stick: Stick,
     pub(crate) step: &'a Step<D>,
+    /// Where the material lies now; `None` where the surfaces of the pair do.
+    pub(crate) material: Option<Material<'a, D>>,
     /// How facets bore when it began; `None` where that is not known of the pair.
     pub(crate) bearings: Option<&'a FacetBearings>,
     /// Whether the pressure grows with the depth.

@@ -98,11 +98,11 @@ pub struct ContactForces<const D: usize> {
 }
 
 impl<const D: usize> ContactForces<D> {
-    /// Sums up, in the order of the pairs.
+    /// Sums up, in the order of the pairs; laws press at `coords`, friction acts at `places`.
     pub(crate) fn assemble(
         surface: &Surface<D>,
         obstacle_count: usize,
-        coords: &[[f64; D]],
+        (coords, places): (&[[f64; D]], &[[f64; D]]),
         pairs: &[PairEnergy<D>],
         tractions: &[Tractions<D>],
     ) -> Result<Self, Error> {
@@ -135,7 +135,7 @@ impl<const D: usize> ContactForces<D> {
             total.add(coords, pair);
         }
         for pair in tractions {
-            total.add_friction(coords, pair);
+            total.add_friction(places, pair);
         }
         total.standard_error = total.standard_error.sqrt();
         total.check()?;
