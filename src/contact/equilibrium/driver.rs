@@ -18,7 +18,7 @@
 //! - `breaking`, `told_breaking`: cohesive interfaces that break on the way, for what is said where there is no equilibrium.
 //!
 //! `load_step`, `attempt`, `search` (the order of things, and what they share) · `check` (whether a host is one) · `conversation` (a procedure that asks) · `request`, `host`, `unknowns`
-//! (what of, and whom) · `state`, `balance` (bodies and contact, and when they balance) · `assembly`, `elastic`, `rows`, `limit` (where bodies
+//! (what of, and whom) · `state`, `balance` (bodies and contact, and when they balance) · `assembly`, `elastic`, `projected`, `joined` (nodes that a host joins), `rows`, `limit` (where bodies
 //! are, and how far they may go) · `quadratic` · `options`, `trouble`, `outcome` · `masses` (layers for explicit hosts)
 
 mod assembly;
@@ -32,6 +32,7 @@ mod elastic;
 mod falling;
 mod falling_load;
 mod host;
+mod joined;
 mod layers;
 mod levels;
 mod limit;
@@ -44,6 +45,7 @@ mod outcome;
 mod overlaps;
 mod parts;
 mod patches;
+mod projected;
 mod quadratic;
 mod request;
 mod rows;

@@ -1,10 +1,14 @@
 //! How stiff bodies are below their surfaces, from the host's own matrix.
 
 use super::assembly::Assembly;
+use super::elastic::has_basis;
 use super::host::Host;
+use super::joined::{joined, own_diagonal};
 use super::trouble::Trouble;
 use super::unknowns::dot;
+use crate::contact::evaluation::Contact;
 use crate::contact::partners::LayerStiffness;
+use crate::geometry::PointWeights;
 use crate::overlap::Partner;
 use std::collections::BTreeMap;
 
@@ -30,9 +34,12 @@ pub(super) async fn complete<const D: usize>(
         false => None,
     });
     let Some((known, stiffened)) = known.await else { return Ok(false) };
-    let near = neighbours(host, assembly, x).await?;
-    let diagonal = host.diagonal().await?;
-    let bodies = of_bodies(host, assembly, &diagonal).await?;
+    let moving = host.contact(|contact| Moving::new(contact)).await;
+    let near = neighbours(host, assembly, &moving, x).await?;
+    // Springs that join nodes that are one hold none of them.
+    let diagonal = own_diagonal(host, &host.diagonal().await?).await?;
+    let layers = Layers { host, assembly, moving, diagonal };
+    let bodies = layers.of_bodies().await?;
     let is_like = |(known, found): (&f64, &f64)| {
         let factor = known / (found * stiffened);
         (1.0 / ANOTHER..=ANOTHER).contains(&factor)
@@ -41,91 +48,148 @@ pub(super) async fn complete<const D: usize>(
     if is_known && known.bodies.iter().zip(&bodies).all(is_like) {
         return Ok(false);
     }
-    let found = measured(host, assembly, (&diagonal, bodies), near).await?;
-    host.contact(move |contact| contact.take_layer_stiffness(found.times(stiffened))).await?;
+    let near = layers.of_neighbours(near, &bodies).await?;
+    let found = LayerStiffness { bodies, near }.times(stiffened);
+    host.contact(move |contact| contact.take_layer_stiffness(found)).await?;
     Ok(true)
 }
 
-/// Of the whole surface of every body.
-async fn of_bodies<const D: usize>(
-    host: &Host<D>,
-    assembly: &Assembly<D>,
-    diagonal: &[f64],
-) -> Result<Vec<f64>, Trouble> {
-    let mut bodies = Vec::new();
-    for rows in &assembly.rows {
-        let surface: Vec<usize> = rows.iter().copied().filter(|&row| assembly.area[row] > 0.0).collect();
-        bodies.push(layer(host, assembly, diagonal, &surface).await?);
-    }
-    // A body that resists no motion of its surface has the stiffness of the softest that does.
-    let softest = bodies.iter().copied().filter(|layer| *layer > 0.0).fold(f64::INFINITY, f64::min);
-    if !softest.is_finite() {
-        let text =
-            "the bodies' matrix resists no motion of any surface: no stiffness of the contact can be found from it";
-        return Err(Trouble::Failed(text.into()));
-    }
-    bodies.iter_mut().for_each(|layer| *layer = if *layer > 0.0 { *layer } else { softest });
-    Ok(bodies)
+/// What layers are measured with.
+struct Layers<'a, const D: usize> {
+    host: &'a Host<D>,
+    assembly: &'a Assembly<D>,
+    moving: Moving,
+    diagonal: Vec<f64>,
 }
 
-async fn measured<const D: usize>(
-    host: &Host<D>,
-    assembly: &Assembly<D>,
-    (diagonal, bodies): (&[f64], Vec<f64>),
-    neighbours: Neighbours,
-) -> Result<LayerStiffness, Trouble> {
-    let mut near = BTreeMap::new();
-    for ((body, partner), rows) in neighbours {
-        let found = layer(host, assembly, diagonal, &rows).await?;
-        near.insert((body, partner), if found > 0.0 { found } else { bodies[body] });
+impl<const D: usize> Layers<'_, D> {
+    /// Of the whole surface of every body.
+    async fn of_bodies(&self) -> Result<Vec<f64>, Trouble> {
+        let mut bodies = Vec::new();
+        for rows in &self.assembly.rows {
+            let surface: Vec<usize> = rows.iter().copied().filter(|&row| self.assembly.area[row] > 0.0).collect();
+            bodies.push(self.layer(&surface).await?);
+        }
+        // A body that resists no motion of its surface has the stiffness of the softest that does.
+        let softest = bodies.iter().copied().filter(|layer| *layer > 0.0).fold(f64::INFINITY, f64::min);
+        if !softest.is_finite() {
+            let text =
+                "the bodies' matrix resists no motion of any surface: no stiffness of the contact can be found from it";
+            return Err(Trouble::Failed(text.into()));
+        }
+        bodies.iter_mut().for_each(|layer| *layer = if *layer > 0.0 { *layer } else { softest });
+        Ok(bodies)
     }
-    Ok(LayerStiffness { bodies, near })
-}
 
-/// v·K v by area, for the unit normals v of these rows.
-async fn layer<const D: usize>(
-    host: &Host<D>,
-    assembly: &Assembly<D>,
-    diagonal: &[f64],
-    rows: &[usize],
-) -> Result<f64, Trouble> {
-    let own = |row: usize| {
-        let unknowns = (0..D).filter_map(|axis| host.unknowns.of_coordinate[row * D + axis]);
-        unknowns.map(|unknown| diagonal[unknown].abs()).fold(0.0, f64::max)
-    };
-    let mut stiffness: Vec<f64> = rows.iter().map(|&row| own(row)).collect();
-    stiffness.sort_unstable_by(f64::total_cmp);
-    let Some(&median) = stiffness.get(stiffness.len() / 2) else { return Ok(0.0) };
-    let (mut v, mut area) = (vec![0.0; host.unknowns.count], 0.0);
-    for &row in rows.iter().filter(|&&row| own(row) <= HELD * median) {
-        area += assembly.area[row];
-        for axis in 0..D {
-            if let Some(unknown) = host.unknowns.of_coordinate[row * D + axis] {
-                v[unknown] = assembly.normal[row][axis];
+    /// Of the parts that are near a partner.
+    async fn of_neighbours(
+        &self,
+        neighbours: Neighbours,
+        bodies: &[f64],
+    ) -> Result<BTreeMap<(usize, Partner), f64>, Trouble> {
+        let mut near = BTreeMap::new();
+        for ((body, partner), rows) in neighbours {
+            let found = self.layer(&rows).await?;
+            near.insert((body, partner), if found > 0.0 { found } else { bodies[body] });
+        }
+        Ok(near)
+    }
+
+    /// v·K v by area, for the unit normals v of these rows.
+    async fn layer(&self, rows: &[usize]) -> Result<f64, Trouble> {
+        let own = |row: usize| {
+            let unknowns = self.unknowns(row).iter().filter_map(|unknown| *unknown);
+            unknowns.map(|unknown| self.diagonal[unknown].abs()).fold(0.0, f64::max)
+        };
+        let mut stiffness: Vec<f64> = rows.iter().map(|&row| own(row)).collect();
+        stiffness.sort_unstable_by(f64::total_cmp);
+        let Some(&median) = stiffness.get(stiffness.len() / 2) else { return Ok(0.0) };
+        let (mut v, mut area) = (vec![0.0; self.host.unknowns.count], 0.0);
+        for &row in rows.iter().filter(|&&row| own(row) <= HELD * median) {
+            // A row of a basis that never moves is none of its surface.
+            let is_still = self.moving.has_basis && self.unknowns(row).iter().all(Option::is_none);
+            area += if is_still { 0.0 } else { self.assembly.area[row] };
+            for (unknown, along) in self.unknowns(row).iter().zip(self.assembly.normal[row].iter()) {
+                if let Some(unknown) = *unknown {
+                    v[unknown] = *along;
+                }
             }
         }
+        if area <= 0.0 {
+            return Ok(0.0);
+        }
+        let product = self.host.product(v.clone(), false).await?;
+        Ok(dot(&v, &product) / area)
     }
-    if area <= 0.0 {
-        return Ok(0.0);
+
+    fn unknowns(&self, row: usize) -> &[Option<usize>] {
+        &self.host.unknowns.of_coordinate[row * D..(row + 1) * D]
     }
-    let product = host.product(v.clone(), false).await?;
-    Ok(dot(&v, &product) / area)
+}
+
+/// Which rows of coordinates move points.
+struct Moving {
+    /// `None` where points are rows, or what no row of that number moves has no part in this.
+    weights: Option<PointWeights>,
+    has_basis: bool,
+    /// Whether a node is one with others; empty where none is.
+    is_welded: Vec<bool>,
+}
+
+impl Moving {
+    fn new<const D: usize>(contact: &Contact<D>) -> Self {
+        let surface = contact.surface();
+        let (has_basis, mut is_welded) = (has_basis(surface), Vec::new());
+        let welds = joined(contact);
+        if !welds.is_empty() {
+            is_welded.resize(surface.unknown_count(), false);
+            welds.iter().flatten().for_each(|&node| is_welded[node as usize] = true);
+        }
+        let weights = (has_basis || !is_welded.is_empty()).then(|| surface.point_weights());
+        Self { weights, has_basis, is_welded }
+    }
+
+    fn is_welded(&self, row: usize) -> bool {
+        self.is_welded.get(row).is_some_and(|is_welded| *is_welded)
+    }
+
+    /// Rows that move a point with others, or the row of its number.
+    fn rows(&self, point: usize) -> Vec<usize> {
+        match &self.weights {
+            Some(weights) if self.has_basis || self.is_welded(point) => {
+                weights.row(point).filter(|(_, weight)| *weight != 0.0).map(|(row, _)| row as usize).collect()
+            }
+            _ => vec![point],
+        }
+    }
 }
 
 type Neighbours = BTreeMap<(usize, Partner), Vec<usize>>;
 
 /// Rows of every body that are near a partner.
-async fn neighbours<const D: usize>(host: &Host<D>, assembly: &Assembly<D>, x: &[f64]) -> Result<Neighbours, Trouble> {
+async fn neighbours<const D: usize>(
+    host: &Host<D>,
+    assembly: &Assembly<D>,
+    moving: &Moving,
+    x: &[f64],
+) -> Result<Neighbours, Trouble> {
     let largest = assembly.facet_size.iter().copied().fold(0.0, f64::max);
     let coords = host.unknowns.coords(x);
     let gaps = host.contact(move |contact| contact.gap_constraints(&coords, NEAR * largest)).await?;
     let mut found: Neighbours = BTreeMap::new();
     for (&node, partners) in gaps.nodes.iter().zip(&gaps.partners) {
-        if let Partner::Body(body) = partners[0]
-            && assembly.area.get(node as usize).is_some_and(|area| *area > 0.0)
-        {
-            found.entry((body, partners[1])).or_default().push(node as usize);
+        let Partner::Body(body) = partners[0] else { continue };
+        for row in moving.rows(node as usize) {
+            if assembly.area.get(row).is_some_and(|area| *area > 0.0) {
+                found.entry((body, partners[1])).or_default().push(row);
+            }
         }
+    }
+    if moving.weights.is_some() {
+        found.values_mut().for_each(|rows| {
+            rows.sort_unstable();
+            rows.dedup();
+        });
     }
     Ok(found)
 }

@@ -2,6 +2,7 @@
 
 use super::assembly::Assembly;
 use super::host::Host;
+use super::joined::own_diagonal;
 use super::trouble::Trouble;
 use super::unknowns::{Unknowns, dot, largest};
 use crate::geometry::Vector;
@@ -78,7 +79,9 @@ impl Motions {
         coords: &[[f64; D]],
     ) -> Result<Self, Trouble> {
         let diagonal = host.diagonal().await?;
-        let weighted = |a: &[f64], b: &[f64]| a.iter().zip(b).zip(&diagonal).map(|((a, b), k)| a * b * k).sum::<f64>();
+        let own = own_diagonal(host, &diagonal).await?;
+        let sum = |a: &[f64], b: &[f64], of: &[f64]| a.iter().zip(b).zip(of).map(|((a, b), k)| a * b * k).sum::<f64>();
+        let weighted = |a: &[f64], b: &[f64]| sum(a, b, &diagonal);
         let mut fields = Vec::new();
         for body in 0..assembly.rows.len() {
             fields.extend(of_body(host, assembly, body).into_iter().filter(|field| weighted(field, field) > 0.0));
@@ -93,7 +96,7 @@ impl Motions {
             let full = DMatrix::from_fn(count, count, of);
             0.5 * (&full + full.transpose())
         };
-        let alone = gram(&|row, col| weighted(&fields[row], &fields[col]));
+        let alone = gram(&|row, col| sum(&fields[row], &fields[col], &own));
         let mut stiffness = gram(&|row, col| dot(&fields[row], &products[col]));
         let constrained = constraints(host, &fields, &products).await?;
         let size: f64 = constrained.iter().map(|row| dot(row, row)).sum();
