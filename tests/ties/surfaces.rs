@@ -254,7 +254,7 @@ fn parts_are_refused_released_and_found_again() {
         ([Body(0), Body(1)], PairOptions::rough().between([a, b])),
         ([Body(0), Body(1)], law(EnergyLaw::volume(K))),
         ([Body(0), Body(1)], law(EnergyLaw::fiber(K))),
-        ([Body(0), Body(1)], PairOptions { excluded: true, ..before }),
+        ([Body(0), Body(1)], PairOptions { excluded: true, surfaces: None, ..before }),
         ([Body(0), Body(0)], before.between([a, a])),
         ([Body(0), Rigid(0)], before),
     ] {
@@ -274,6 +274,31 @@ fn parts_are_refused_released_and_found_again() {
     assert!((contact.tie([0, 1]).unwrap().unwrap().area - 1.0).abs() < 1e-12);
     contact.set_reference(&scene.coords).expect("a reference");
     assert_eq!(contact.evaluate(&coords).expect("an evaluation").forces, forces);
+}
+
+/// Left out, the pair has its tie and no contact: forces are those of the tie alone, either way, and options of contact are refused.
+#[test]
+fn a_pair_that_is_left_out_keeps_its_named_parts() {
+    let scene = blocks_of(0, [4, 6]);
+    let mut contact = half_tied(&scene);
+    let parts = PairOptions { excluded: true, ..PairOptions::tied(0.05) }.between([1, 2]);
+    contact.set_pair_options([0, 1].map(Body), Some(parts)).expect("a tie without contact");
+    for u in [1e-3, -1e-3] {
+        let mut coords = scene.coords.clone();
+        coords[scene.first_node[1]..].iter_mut().for_each(|x| x[1] += u);
+        let found = contact.evaluate(&coords).expect("an evaluation");
+        let force: f64 = found.forces[scene.first_node[1]..].iter().map(|f| f[1]).sum();
+        assert!((force + K * u * 0.5).abs() < 1e-12 * K, "{force}");
+        assert_eq!((found.pairs.len(), found.volume), (1, 0.0));
+    }
+    for options in [
+        PairOptions { friction_coefficient: Some(0.3), ..parts },
+        PairOptions { gap_offset: -0.1, ..parts },
+        PairOptions { surfaces: None, ..parts },
+    ] {
+        let error = contact.set_pair_options([0, 1].map(Body), Some(options)).expect_err("a conflict");
+        assert!(matches!(error, Error::OfPair { .. }), "{error}");
+    }
 }
 
 /// Gaps are those of the faces that are not tied, and friction acts there.

@@ -8,7 +8,8 @@ use crate::interfaces::Cohesive;
 /// with itself: its self-contact is then evaluated.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct PairOptions {
-    /// The pair is left out: it is not measured, and adds nothing to any result.
+    /// The pair is left out: it is not measured, and adds nothing to any result. With named `surfaces` it is left out of contact alone: these
+    /// are held together, and all other faces of the pair pass through one another.
     pub excluded: bool,
     /// Energy law of the pair and its stiffness; `None`: those of the options, also after they change.
     pub law: Option<EnergyLaw>,
@@ -34,7 +35,7 @@ pub struct PairOptions {
     pub interface: Interface,
     /// With an interface that holds bodies together: a named part of the surface of either, in the order of the partners
     /// ([`Contact::add_surface`](crate::Contact::add_surface)). Facets of both that face one another are then held, and are in no contact;
-    /// all others of the pair are in contact, by the law `depth`. `None`: all faces of both bodies may be held, and nothing is in contact.
+    /// all others of the pair are in contact, by the law `depth`, unless it is `excluded`. `None`: all faces of both bodies may be held, and nothing is in contact.
     pub surfaces: Option<[usize; 2]>,
 }
 
@@ -115,10 +116,15 @@ impl PairOptions {
         Self { interface: Interface::Cohesive(cohesive), ..Self::default() }
     }
 
+    /// Whether an interface holds it, if it has one that does: it is not left out, unless named parts are held beside faces that are.
+    fn may_be_held(&self) -> bool {
+        !self.excluded || self.surfaces.is_some()
+    }
+
     /// The interface that breaks, if the pair has one.
     pub(crate) fn cohesive(&self) -> Option<Cohesive> {
         match self.interface {
-            Interface::Cohesive(cohesive) if !self.excluded => Some(cohesive),
+            Interface::Cohesive(cohesive) if self.may_be_held() => Some(cohesive),
             _ => None,
         }
     }
@@ -126,7 +132,7 @@ impl PairOptions {
     /// The reach of a tie, if the pair is one.
     pub(crate) fn tied_within(&self) -> Option<f64> {
         match self.interface {
-            Interface::Tied { reach } if !self.excluded => Some(reach),
+            Interface::Tied { reach } if self.may_be_held() => Some(reach),
             _ => None,
         }
     }
@@ -134,7 +140,7 @@ impl PairOptions {
     /// The reach of what slides and does not separate, if the pair does so.
     pub(crate) fn slides_within(&self) -> Option<f64> {
         match self.interface {
-            Interface::NoSeparation { reach } if !self.excluded => Some(reach),
+            Interface::NoSeparation { reach } if self.may_be_held() => Some(reach),
             _ => None,
         }
     }

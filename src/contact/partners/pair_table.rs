@@ -163,6 +163,7 @@ fn check_interface(pair: &[Partner; 2], options: &PairOptions, law: &EnergyLaw) 
         _ => of_cohesive,
     };
     let is_held = !matches!(interface, Interface::Contact | Interface::Rough);
+    let has_contact = options.surfaces.is_some() && !options.excluded;
     let what = match pair {
         _ if !is_held && options.surfaces.is_some() => "named surfaces of a pair that nothing holds together",
         _ if interface == Interface::Contact => return Ok(()),
@@ -179,15 +180,15 @@ fn check_interface(pair: &[Partner; 2], options: &PairOptions, law: &EnergyLaw) 
             "a body that does not separate from itself",
             "a cohesive interface of a body with itself",
         ),
-        _ if options.excluded => of(
+        _ if options.excluded && options.surfaces.is_none() => of(
             "a pair that is both left out and tied",
             "a pair that is both left out and does not separate",
             "a pair that is both left out and has a cohesive interface",
         ),
-        _ if options.surfaces.is_some() && !matches!(law, EnergyLaw::Depth { .. }) => {
+        _ if has_contact && !matches!(law, EnergyLaw::Depth { .. }) => {
             "named surfaces with another law than depth, by which the other faces press"
         }
-        _ if rubs && options.surfaces.is_none() => of(
+        _ if rubs && !has_contact => of(
             "friction of bodies that are tied: they do not slide",
             "friction of bodies that do not separate: they slide freely",
             "friction of bodies with a cohesive interface, which has none",

@@ -118,7 +118,8 @@ class Pairs:
             ``"depth"`` only. Between bodies the law must be ``"depth"`` and the offset not positive: each body may enter by
             ``-gap_offset`` before it presses.
         excluded : bool
-            Whether the pair is not evaluated at all.
+            Whether the pair is not evaluated at all; with ``surfaces``, whether these parts alone are held, and no other face is in
+            contact.
         interface : str
             ``"contact"``, or ``"tied"``: two bodies go together where their undeformed faces lie opposite each other, and are in no
             contact anywhere. See ``tie``. ``"cohesive"``: they are held together there until they break. See ``contact.cohesive``.

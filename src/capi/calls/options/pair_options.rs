@@ -53,7 +53,8 @@ pub struct fmc_pair_options {
     pub friction_coefficient: f64,
     /// A value of `fmc_law`, or `FMC_PAIR_LAW_OF_CONTEXT`, the default.
     pub law: i32,
-    /// 1: the pair is left out; it is not measured, and adds nothing to any result. Default 0.
+    /// 1: the pair is left out; it is not measured, and adds nothing to any result. With `surface_a` and `surface_b` these parts are held, and
+    /// no other face of the pair is in contact. Default 0.
     pub excluded: i32,
     /// Coefficient of friction of what rests, at least that of what slides; 0, the default: that of the context's options, or none where
     /// `friction_coefficient` is set.
