@@ -2,7 +2,7 @@
 //!
 //! `bodies` (connected parts of the mesh) · `facets` (their sizes) · `notes` (what is taken in another sense) ·
 //! `pairs` (who touches, rubs or is tied) · `timed` (a value over a step) · `state` (what is held
-//! and loaded, step after step) · `surfaces` (and their faces) · `spread` (loads on faces and volumes) · `symmetry` (planes that supports make) · `ties` (how far they reach) · `solve` (equilibria) · `result` (what a step leaves) · `warnings` (the library's, in words of files)
+//! and loaded, step after step) · `surfaces` (and their faces) · `spread` (loads on faces and volumes) · `symmetry` (planes that supports make) · `tied_parts` (faces that ties name) · `ties` (how far they reach) · `solve` (equilibria) · `result` (what a step leaves) · `warnings` (the library's, in words of files)
 
 mod bodies;
 mod facets;
@@ -14,6 +14,7 @@ mod spread;
 mod state;
 mod surfaces;
 mod symmetry;
+mod tied_parts;
 mod ties;
 mod timed;
 mod warnings;

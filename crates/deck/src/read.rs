@@ -21,7 +21,7 @@ mod words;
 pub(crate) use amplitude::Amplitude;
 pub use deck::Deck;
 pub(crate) use elements::face_corners;
-pub(crate) use interaction::PairRow;
+pub(crate) use interaction::{PairRow, TieRow};
 pub(crate) use names::Kind;
 pub use note::Note;
 pub(crate) use step::{Boundary, Load, LoadKind, Step};

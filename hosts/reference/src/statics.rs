@@ -34,6 +34,7 @@ mod follower;
 mod iteration;
 mod linearised;
 mod matrices;
+mod named_surfaces;
 mod newton_settings;
 mod path;
 mod pressure;

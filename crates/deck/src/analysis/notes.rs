@@ -4,8 +4,9 @@ use crate::Fault;
 use crate::read::{Deck, LoadKind, Note};
 
 /// Notes of the reader and of the analysis, by their lines.
-pub(super) fn notes(deck: &Deck, is_finite: bool) -> Result<Vec<Note>, Fault> {
+pub(super) fn notes(deck: &Deck, of_pairs: &[Note], is_finite: bool) -> Result<Vec<Note>, Fault> {
     let mut notes = deck.notes.clone();
+    notes.extend_from_slice(of_pairs);
     let loads = || deck.steps.iter().flat_map(|step| &step.loads);
     if is_finite {
         if let Some(row) = deck.materials.values().find(|row| row.is_linear()) {

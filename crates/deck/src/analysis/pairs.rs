@@ -1,16 +1,36 @@
 //! Which bodies touch, rub or are tied.
 
 use super::Bodies;
+use super::facets::has_curved_faces;
+use super::spread::{Faces, faces};
 use super::surfaces::{face_number, surface};
+use super::tied_parts::{Part, parts_of};
 use super::ties::facet_size;
 use crate::Fault;
-use crate::read::{Deck, Kind, PairRow, SurfaceRow};
+use crate::read::{Deck, Kind, Note, PairRow, SurfaceRow, TieRow};
 use fmc_contact::EnergyLaw;
-use fmc_contact::contact::PairOptions;
+use fmc_contact::contact::{Interface, PairOptions};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Options by pair of bodies, with the line that names it; 0 for those that are left out.
-pub(crate) type Pairs = BTreeMap<[usize; 2], (PairOptions, usize)>;
+/// Who touches and who is tied.
+#[derive(Default)]
+pub(crate) struct Pairs {
+    /// Options by pair of bodies, also of those that are left out.
+    pub(crate) options: BTreeMap<[usize; 2], PairOptions>,
+    /// The line that ties a pair.
+    pub(crate) tied_by: BTreeMap<[usize; 2], usize>,
+    /// Faces that are tied, by their nodes: what options number from 1.
+    pub(crate) surfaces: Vec<Vec<Vec<u32>>>,
+    /// What is taken in another sense than the file may mean.
+    pub(crate) notes: Vec<Note>,
+}
+
+/// What ties two bodies.
+struct Tie {
+    reach: f64,
+    line: usize,
+    parts: [Part; 2],
+}
 
 /// Pressure by penetration, if the file gives it; multipliers then leave the penetration as it is, so that it holds for all pairs.
 pub(super) fn stiffness(deck: &Deck) -> Result<Option<f64>, Fault> {
@@ -42,26 +62,16 @@ pub(super) fn adjustment<const D: usize>(deck: &Deck, bodies: Bodies<D>) -> Resu
 
 /// The pairs that a file names, and that all others are left out.
 pub(super) fn pairs<const D: usize>(deck: &Deck, bodies: Bodies<D>) -> Result<Pairs, Fault> {
-    let mut named = Pairs::new();
-    let mut put = |pair: [usize; 2], options: PairOptions, line: usize| {
-        let before = named.insert(pair, (options, line));
-        match before.filter(|(before, _)| *before != options) {
-            Some((_, first)) => {
-                let [a, b] = pair.map(|body| bodies.model.parts()[body].name.clone());
-                Err(Fault::new(line, format!("{a} and {b} are a pair of another kind already, by line {first}")))
-            }
-            None => Ok(()),
-        }
-    };
+    let mut pairs = Pairs::default();
+    let mut touching: BTreeMap<[usize; 2], (PairOptions, usize)> = BTreeMap::new();
+    let mut ties: Vec<TieRow> = Vec::new();
     for row in &deck.pairs {
         let interaction = deck
             .interactions
             .get(&row.interaction)
             .ok_or_else(|| Fault::new(row.line, format!("there is no *SURFACE INTERACTION '{}'", row.interaction)))?;
         if interaction.is_tied {
-            for pair in between(deck, bodies, row.line, &row.surfaces, false)? {
-                put(pair, PairOptions::tied(0.0), row.line)?;
-            }
+            ties.push(TieRow { line: row.line, surfaces: row.surfaces.clone(), reach: 0.0 });
             continue;
         }
         let options = PairOptions {
@@ -70,20 +80,108 @@ pub(super) fn pairs<const D: usize>(deck: &Deck, bodies: Bodies<D>) -> Result<Pa
             ..PairOptions::default()
         };
         let is_self = row.surfaces[0].eq_ignore_ascii_case(&row.surfaces[1]);
+        if touching.is_empty() {
+            let message = "contact pairs choose bodies, which may also touch beside the surfaces named here".to_owned();
+            pairs.notes.push(Note { line: row.line, message });
+        }
         for pair in between(deck, bodies, row.line, &row.surfaces, is_self)? {
-            put(pair, options, row.line)?;
+            let before = touching.insert(pair, (options, row.line));
+            if let Some((_, first)) = before.filter(|(before, _)| *before != options) {
+                let [a, b] = names(bodies, pair);
+                let message = format!("{a} and {b} are a pair of another kind already, by line {first}");
+                return Err(Fault::new(row.line, message));
+            }
         }
     }
-    for row in &deck.ties {
-        for pair in between(deck, bodies, row.line, &row.surfaces, false)? {
-            put(pair, PairOptions::tied(row.reach), row.line)?;
-        }
-    }
+    ties.extend(deck.ties.iter().cloned());
+    let all = faces(bodies);
+    let ties = tied(deck, bodies, &all, &ties, &mut pairs.notes)?;
     let count = bodies.model.parts().len();
-    let all = (0..count).flat_map(|a| (a + 1..count).map(move |b| [a, b]));
-    let mut pairs: Pairs = all.map(|pair| (pair, (PairOptions::excluded(), 0))).collect();
-    pairs.extend(named);
+    let every = (0..count).flat_map(|a| (a + 1..count).map(move |b| [a, b]));
+    pairs.options = every.map(|pair| (pair, PairOptions::excluded())).collect();
+    pairs.options.extend(touching.iter().map(|(pair, (options, _))| (*pair, *options)));
+    for (pair, tie) in ties {
+        let both = tie.parts.map(|part| {
+            pairs.surfaces.push(part.iter().map(|key| all[key].nodes.clone()).collect());
+            pairs.surfaces.len()
+        });
+        let own = touching.get(&pair).map_or_else(PairOptions::excluded, |(options, _)| *options);
+        if !own.excluded && pair.iter().any(|&body| has_curved_faces(bodies, body)) {
+            let [a, b] = names(bodies, pair);
+            let message =
+                format!("{a} and {b} are tied and a contact pair, and have curved faces: known is one of both");
+            return Err(Fault::new(tie.line, message));
+        }
+        let interface = Interface::Tied { reach: tie.reach };
+        pairs.options.insert(pair, PairOptions { interface, ..own }.between(both));
+        pairs.tied_by.insert(pair, tie.line);
+    }
     Ok(pairs)
+}
+
+/// What rows tie, by pair of bodies: ties of the same two bodies are one.
+fn tied<const D: usize>(
+    deck: &Deck,
+    bodies: Bodies<D>,
+    all: &Faces,
+    rows: &[TieRow],
+    notes: &mut Vec<Note>,
+) -> Result<BTreeMap<[usize; 2], Tie>, Fault> {
+    let mut found: BTreeMap<[usize; 2], Tie> = BTreeMap::new();
+    for TieRow { line, surfaces: [slave, master], reach } in rows {
+        let mut parts = |name: &str| parts_of(deck, bodies, all, (*line, name), notes);
+        let [slaves, masters] = [parts(slave)?, parts(master)?];
+        if let Some(body) = slaves.keys().find(|body| masters.contains_key(body)) {
+            let name = &bodies.model.parts()[*body].name;
+            let message = format!("{slave} and {master} are surfaces of one body, {name}, which is not tied to itself");
+            return Err(Fault::new(*line, message));
+        }
+        for (pair, parts) in near(bodies, [&slaves, &masters], *reach) {
+            let tie =
+                found.entry(pair).or_insert_with(|| Tie { reach: *reach, line: *line, parts: Default::default() });
+            if tie.reach != *reach {
+                let [a, b] = names(bodies, pair);
+                let first = tie.line;
+                let message = format!("{a} and {b} are tied by line {first} too, and with another POSITION TOLERANCE");
+                return Err(Fault::new(*line, message));
+            }
+            tie.parts.iter_mut().zip(parts).for_each(|(all, part)| all.extend(part.iter().cloned()));
+        }
+    }
+    Ok(found)
+}
+
+/// Pairs of bodies of a tie, with the part of either: without those that are clearly farther apart than the reach, unless all are.
+fn near<'a, const D: usize>(
+    bodies: Bodies<D>,
+    [slaves, masters]: [&'a BTreeMap<usize, Part>; 2],
+    reach: f64,
+) -> Vec<([usize; 2], [&'a Part; 2])> {
+    let mut all: Vec<([usize; 2], [&Part; 2])> = Vec::new();
+    for (&p, slave) in slaves {
+        let of = |(&q, master)| if p < q { ([p, q], [slave, master]) } else { ([q, p], [master, slave]) };
+        all.extend(masters.iter().map(of));
+    }
+    let is_near = |(pair, parts): &([usize; 2], [&Part; 2])| {
+        // By default the reach is a tenth of this.
+        let size = pair.iter().map(|&body| facet_size(bodies, body)).fold(0.0, f64::max);
+        let within = if reach > 0.0 { 2.0 * reach } else { size };
+        let [a, b] = parts.map(|part| {
+            let nodes = part.iter().flatten().map(|&node| bodies.model.coords()[node as usize]);
+            nodes.fold([[f64::INFINITY; D], [f64::NEG_INFINITY; D]], |[low, high], x| {
+                [std::array::from_fn(|k| low[k].min(x[k])), std::array::from_fn(|k| high[k].max(x[k]))]
+            })
+        });
+        (0..D).all(|k| a[0][k] - b[1][k] <= within && b[0][k] - a[1][k] <= within)
+    };
+    if all.iter().any(is_near) {
+        all.retain(is_near);
+    }
+    all
+}
+
+fn names<const D: usize>(bodies: Bodies<D>, pair: [usize; 2]) -> [String; 2] {
+    pair.map(|body| bodies.model.parts()[body].name.clone())
 }
 
 /// Pairs of a body of one surface and one of the other.

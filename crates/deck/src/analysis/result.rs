@@ -89,12 +89,21 @@ impl StepResult {
             let (Partner::Body(a), Partner::Body(b)) = (pair.a, pair.b) else { return None };
             at.problem().pairs.iter().find(|(bodies, _)| *bodies == [a, b]).map(|(_, options)| *options)
         };
-        let pair = |pair: &PairForces| PairResult {
-            names: [name(&pair.a), name(&pair.b)],
-            is_tied: options(pair).is_some_and(|options| options.interface != Interface::Contact),
-            force: pair.force,
-            area: pair.contact_area,
-            pressure: pair.pressure,
+        // Of two rows of a pair the first is its contact, the last its tie.
+        let is_last = |rows: &[PairForces], row: usize| {
+            let same = |other: &PairForces| (other.a, other.b) == (rows[row].a, rows[row].b);
+            !rows[row + 1..].iter().any(same)
+        };
+        let pair = |rows: &[PairForces], row: usize| {
+            let pair = &rows[row];
+            let is_held = options(pair).is_some_and(|options| options.interface != Interface::Contact);
+            PairResult {
+                names: [name(&pair.a), name(&pair.b)],
+                is_tied: is_held && is_last(rows, row),
+                force: pair.force,
+                area: pair.contact_area,
+                pressure: pair.pressure,
+            }
         };
         let contact = &balance.contact;
         let names: Vec<String> = model.parts().iter().map(|part| part.name.clone()).collect();
@@ -112,7 +121,7 @@ impl StepResult {
             sets,
             load,
             displacement: squares.fold(0.0, f64::max).sqrt(),
-            pairs: contact.pairs.iter().map(pair).collect(),
+            pairs: (0..contact.pairs.len()).map(|row| pair(&contact.pairs, row)).collect(),
             ties: ties::results(at)?,
             bodies: bodies.collect(),
             warnings,

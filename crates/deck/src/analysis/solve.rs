@@ -89,7 +89,7 @@ impl<'a, const D: usize> Analysis<'a, D> {
         let sets = deck.reactions.iter().map(|(set, line)| Ok((set.clone(), nodes(deck, bodies, set, *line)?)));
         let sets = sets.collect::<Result<_, Fault>>()?;
         let order = [places.nodes.clone(), places.cells.clone()];
-        let notes = notes(deck, places.is_finite)?;
+        let notes = notes(deck, &pairs.notes, places.is_finite)?;
         Ok(Self { deck, model, places, state, pairs, sets, stiffness, planes, adjust, options, order, notes })
     }
 
@@ -109,7 +109,8 @@ impl<'a, const D: usize> Analysis<'a, D> {
     ) -> anyhow::Result<Solved> {
         let node_count = self.model.node_count();
         let start = Start {
-            pairs: self.pairs.iter().map(|(pair, (options, _))| (*pair, *options)).collect(),
+            pairs: self.pairs.options.iter().map(|(pair, options)| (*pair, *options)).collect(),
+            surfaces: self.pairs.surfaces.clone(),
             stiffness: self.stiffness,
             planes: self.planes,
             adjust: self.adjust,
@@ -194,15 +195,16 @@ fn untied(error: &StaticsError, pairs: &Pairs, names: &[String]) -> Option<Fault
     };
     let [a, b] = bodies.map(|body| names.get(body).map_or("", String::as_str));
     let message = format!(
-        "'{a}' and '{b}' are tied, and face one another nowhere within {reach:.4e}: the nearest faces are {nearest:.4e} apart. A larger \
+        "'{a}' and '{b}' are tied, and these surfaces face one another nowhere within {reach:.4e}: the nearest faces are {nearest:.4e} apart. A larger \
          POSITION TOLERANCE ties them"
     );
-    Some(Fault::new(pairs.get(bodies)?.1, message))
+    Some(Fault::new(*pairs.tied_by.get(bodies)?, message))
 }
 
 /// How the first step begins.
 struct Start<const D: usize> {
     pairs: Vec<([usize; 2], PairOptions)>,
+    surfaces: Vec<Vec<Vec<u32>>>,
     stiffness: f64,
     planes: Vec<[[f64; D]; 2]>,
     adjust: Option<[f64; 2]>,
@@ -217,8 +219,10 @@ impl<const D: usize> Start<D> {
     ) -> Result<Equilibrium<D>, StaticsError> {
         let SolveOptions { threads, tolerance, penetration } = self.options;
         let contact = Options { threads, ..Options::new(EnergyLaw::depth(self.stiffness)) };
-        let (pairs, symmetry_planes, adjust) = (self.pairs.clone(), self.planes.clone(), self.adjust);
-        let problem = Problem { supports, load, pairs, symmetry_planes, adjust, ..Problem::new(model, contact) };
+        let (pairs, surfaces) = (self.pairs.clone(), self.surfaces.clone());
+        let (symmetry_planes, adjust) = (self.planes.clone(), self.adjust);
+        let problem =
+            Problem { supports, load, pairs, surfaces, symmetry_planes, adjust, ..Problem::new(model, contact) };
         let mut at = Equilibrium::new(problem)?;
         at.settings = NewtonSettings { tolerance, penetration, most_iterations: 100, ..NewtonSettings::default() };
         Ok(at)

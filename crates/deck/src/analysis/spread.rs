@@ -54,7 +54,7 @@ pub(super) fn spread<const D: usize>(
 }
 
 /// Faces `face` of the cells of a set, by their corners; `letter` is what stands before their numbers.
-fn faces_of<const D: usize>(
+pub(super) fn faces_of<const D: usize>(
     deck: &Deck,
     bodies: Bodies<D>,
     instance: Option<usize>,
@@ -66,12 +66,23 @@ fn faces_of<const D: usize>(
         let (cell_type, nodes, ..) = all[cell];
         let local = face_corners(cell_type).get(face);
         let local = local.ok_or_else(|| no_face(deck, cell, line, letter, &format!("{letter}{}", face + 1)))?;
-        let node = |corner: &usize| bodies.places.node_of[nodes[*corner] as usize].unwrap_or_default() as u32;
-        let mut key: Vec<u32> = local.iter().map(node).collect();
-        key.sort_unstable();
-        Ok(key)
+        Ok(key(bodies, nodes, local))
     };
     deck.names.find(Kind::Cell, instance, set, line)?.into_iter().map(of).collect()
+}
+
+/// All faces of a cell of the file, by their corners.
+pub(super) fn keys_of_cell<const D: usize>(deck: &Deck, bodies: Bodies<D>, cell: usize) -> Vec<Vec<u32>> {
+    let Some((cell_type, nodes, ..)) = deck.mesh.cells().nth(cell) else { return Vec::new() };
+    face_corners(cell_type).iter().map(|local| key(bodies, nodes, local)).collect()
+}
+
+/// A face by its corners, of a cell with these nodes of the file.
+fn key<const D: usize>(bodies: Bodies<D>, nodes: &[u32], local: &[usize]) -> Vec<u32> {
+    let node = |corner: &usize| bodies.places.node_of[nodes[*corner] as usize].unwrap_or_default() as u32;
+    let mut key: Vec<u32> = local.iter().map(node).collect();
+    key.sort_unstable();
+    key
 }
 
 fn on_surface<const D: usize>(deck: &Deck, bodies: Bodies<D>, load: &Load) -> Result<Vec<Vec<u32>>, Fault> {

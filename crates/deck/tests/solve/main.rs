@@ -11,3 +11,4 @@ mod reports;
 mod rubber;
 mod scene;
 mod steps;
+mod tied_surfaces;

@@ -1,24 +1,8 @@
 //! What is not known is named with its line.
 
-use crate::scene::path;
+use crate::scene::{path, said};
 use fmc_deck::{Analysis, Deck, SolveOptions};
 use std::fs;
-
-/// What is said of a file: of reading it, or of what it means.
-fn said(text: &str, name: &str) -> String {
-    let folder = std::env::temp_dir().join(format!("fmc-deck-{}", std::process::id()));
-    fs::create_dir_all(&folder).unwrap();
-    let file = folder.join(name);
-    fs::write(&file, text).unwrap();
-    let said = match Deck::read(&file) {
-        Err(error) => error,
-        Ok(deck) => match Analysis::<2>::new(&deck, SolveOptions::default()) {
-            Err(fault) => deck.located(&fault),
-            Ok(_) => "nothing".to_owned(),
-        },
-    };
-    said.replace(&folder.display().to_string(), "").trim_start_matches('/').to_owned()
-}
 
 #[test]
 fn what_is_not_known_is_named_by_its_line() {

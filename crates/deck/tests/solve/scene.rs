@@ -71,3 +71,19 @@ pub(crate) fn largest_off(stresses: &[Stress], expected: [f64; 6]) -> f64 {
     let off = |stress: &Stress| stress.0.iter().zip(expected).map(|(s, e)| (s - e).abs()).fold(0.0, f64::max);
     stresses.iter().map(off).fold(0.0, f64::max)
 }
+
+/// What is said of a file: of reading it, or of what it means.
+pub(crate) fn said(text: &str, name: &str) -> String {
+    let folder = std::env::temp_dir().join(format!("fmc-deck-{}", std::process::id()));
+    std::fs::create_dir_all(&folder).unwrap();
+    let file = folder.join(name);
+    std::fs::write(&file, text).unwrap();
+    let said = match Deck::read(&file) {
+        Err(error) => error,
+        Ok(deck) => match Analysis::<2>::new(&deck, SolveOptions::default()) {
+            Err(fault) => deck.located(&fault),
+            Ok(_) => "nothing".to_owned(),
+        },
+    };
+    said.replace(&folder.display().to_string(), "").trim_start_matches('/').to_owned()
+}

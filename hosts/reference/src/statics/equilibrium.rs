@@ -4,6 +4,7 @@ use super::balance::Balance;
 use super::equations::Equations;
 use super::error::StaticsError;
 use super::matrices::Matrices;
+use super::named_surfaces::facets_of;
 use super::newton_settings::NewtonSettings;
 use super::problem::Problem;
 use super::untouched::untouched;
@@ -70,6 +71,9 @@ impl<const D: usize> Equilibrium<D> {
         let mut contact = Contact::new(problem.model.surface()?, problem.contact)?;
         for obstacle in problem.obstacles.iter().filter(|_| problem.linearised.is_none()) {
             contact.add_obstacle(obstacle.clone())?;
+        }
+        for facets in facets_of(&contact, &problem.surfaces) {
+            contact.add_surface(&facets)?;
         }
         for (parts, options) in &problem.pairs {
             contact.set_pair_options(parts.map(Partner::Body), Some(*options))?;

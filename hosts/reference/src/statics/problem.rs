@@ -13,6 +13,8 @@ pub struct Problem<const D: usize> {
     pub contact: Options,
     /// Pairs of parts that are left out, tied, or have a law or a friction of their own; twice the same part is its self-contact.
     pub pairs: Vec<([usize; 2], PairOptions)>,
+    /// Parts of the surface that pairs may name, numbered from 1: faces of the model, each by its nodes in any order.
+    pub surfaces: Vec<Vec<Vec<u32>>>,
     /// Rigid partners; they do not move.
     pub obstacles: Vec<Obstacle<D>>,
     /// Contact with the obstacles as small displacements see it, in the place of the other.
@@ -34,6 +36,7 @@ impl<const D: usize> Problem<D> {
             model,
             contact,
             pairs: Vec::new(),
+            surfaces: Vec::new(),
             obstacles: Vec::new(),
             linearised: None,
             supports: Constraints::default(),
