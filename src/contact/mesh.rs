@@ -95,7 +95,12 @@ impl<const D: usize> Mesh<D> {
         reach: f64,
     ) -> Result<Between, Error> {
         let of_bodies = |numbers| self.surfaces.of_bodies(&self.surface, bodies, numbers);
-        Ok(Between { bodies, facets: surfaces.map(of_bodies).transpose()?, reach })
+        Ok(Between { bodies, facets: surfaces.map(of_bodies).transpose()?, reach, period: [0.0; 3] })
+    }
+
+    /// The bodies of two named parts of the surface, each of one.
+    pub(crate) fn bodies_of_surfaces(&self, numbers: [usize; 2]) -> Result<[usize; 2], Error> {
+        self.surfaces.bodies(&self.surface, numbers)
     }
 
     /// Has facets of these pairs be in no contact, and no others.

@@ -10,6 +10,8 @@ pub(crate) struct Between {
     pub(crate) facets: Option<[Arc<[usize]>; 2]>,
     /// How far apart facets may be, or how far they may overlap; 0: a tenth of the mean facet of the body with the larger facets.
     pub(crate) reach: f64,
+    /// What brings the named facets of the second body to those of the first; in 2D the last is 0.
+    pub(crate) period: [f64; 3],
 }
 
 /// Facets of both bodies that are held together, by number in the surface, each ascending.

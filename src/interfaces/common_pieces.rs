@@ -50,6 +50,9 @@ pub(super) struct Facing<'a, const D: usize> {
     pub(super) given: f64,
     /// By how much places may be wrong that are meant to be one.
     pub(super) rounding: f64,
+    /// What brings the facets of the second side to those of the first, and whether that is anything.
+    period: Vector<D>,
+    is_shifted: bool,
 }
 
 /// Part of the reach, and units of rounding of a coordinate, by which distances are known.
@@ -68,6 +71,15 @@ impl<'a, const D: usize> Facing<'a, D> {
         if let Some(facets) = &between.facets {
             facing.sides = facets.each_ref().map(|facets| facets.to_vec());
         }
+        facing.period = Vector::from_fn(|axis, _| between.period[axis]);
+        facing.is_shifted = facing.period != Vector::<D>::zeros();
+        if facing.is_shifted {
+            // What lies elsewhere than these parts, where one of them is brought, hides nothing.
+            let near_facets = NearFacets::new(&facing.sides, |facet| facing.corners(facet));
+            facing.near_facets = near_facets;
+            facing.rounding += UNITS * facing.period.amax();
+            facing.set_reach(facing.given);
+        }
         facing
     }
 
@@ -76,7 +88,9 @@ impl<'a, const D: usize> Facing<'a, D> {
         let rounding = UNITS * vertices.iter().map(|x| x.amax()).fold(0.0, f64::max);
         let corners = |facet: usize| surface.facets[facet].map(|vertex| vertices[vertex as usize]);
         let near_facets = NearFacets::new(&sides, corners);
-        let mut facing = Self { surface, vertices, sides, near_facets, reach, given: reach, rounding };
+        let (period, is_shifted) = (Vector::zeros(), false);
+        let mut facing =
+            Self { surface, vertices, sides, near_facets, reach, given: reach, rounding, period, is_shifted };
         facing.set_reach(reach);
         facing
     }
@@ -115,7 +129,18 @@ impl<'a, const D: usize> Facing<'a, D> {
     }
 
     pub(super) fn corners(&self, facet: usize) -> [Vector<D>; D] {
-        self.surface.facets[facet].map(|vertex| self.vertices[vertex as usize])
+        let corners = self.surface.facets[facet].map(|vertex| self.vertices[vertex as usize]);
+        if self.is_shifted { corners.map(|x| x + self.shift(facet)) } else { corners }
+    }
+
+    pub(super) fn period(&self) -> Vector<D> {
+        self.period
+    }
+
+    /// What a facet is brought by.
+    pub(super) fn shift(&self, facet: usize) -> Vector<D> {
+        let is_brought = self.is_shifted && self.sides[1].binary_search(&facet).is_ok();
+        if is_brought { self.period } else { Vector::zeros() }
     }
 
     /// Pairs of facets of both sides that may have a common piece, ordered; with `is_swapped` those of the second side come first.

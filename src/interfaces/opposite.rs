@@ -54,13 +54,15 @@ impl<const D: usize> Facing<'_, D> {
                 let measure = weight * share * size * weighting.at(&straight);
                 let own = weights(self.surface, here, &at);
                 let start = std::array::from_fn(|k| (0..D).map(|c| at[c] * piece.across[c][k]).sum());
-                let (other, gap) = self.opposite(points, there, position(&own, points), start);
+                let from = position(&own, points) + self.shift(here) - self.shift(there);
+                let (other, gap) = self.opposite(points, there, from, start);
                 visit(Opposite { at, straight, measure, own, other, gap });
             }
         });
     }
 
-    /// The place of a facet that a point is above, and how far above it the point is, along the normal of the straight facet.
+    /// The place of a facet that a point is above, as seen from the facet where it was before it is brought, and how far above it the point
+    /// is, along the normal of the straight facet.
     fn opposite(&self, points: &[[f64; D]], facet: usize, x: Vector<D>, start: [f64; D]) -> (Weights, f64) {
         let corners = self.corners(facet);
         let area = area_vector(&corners);

@@ -13,7 +13,7 @@ use super::hold::{TiedPoint, firmness};
 use super::opposite::Opposite;
 use super::place::{Weights, of_vertices};
 use crate::Error;
-use crate::geometry::{Surface, Weighting};
+use crate::geometry::{Surface, Vector, Weighting};
 use std::collections::BTreeMap;
 use std::sync::OnceLock;
 
@@ -42,6 +42,9 @@ pub(crate) struct Tie<const D: usize> {
     /// The area of facets that are tied in part, and face the other body farther apart than the reach, and how far apart they are.
     pub(crate) left_out: Option<LeftOut>,
     pub(crate) facets: HeldFacets,
+    /// What brings the second body to the first, and how far the first is then to be from the second.
+    pub(crate) period: Vector<D>,
+    pub(crate) jump: Vector<D>,
     /// Σ c cᵀ/m over the rows, where no gap is kept.
     pub(super) products: OnceLock<Vec<(u32, u32, f64)>>,
 }
@@ -195,6 +198,8 @@ impl<'a, const D: usize> Build<'a, D> {
             largest_gap: self.largest_gap,
             left_out,
             facets: held_facets(self.pairs, is_second),
+            period: self.facing.period(),
+            jump: Vector::zeros(),
             products: OnceLock::new(),
         })
     }

@@ -28,6 +28,11 @@ pub(crate) struct TieAt<'a, const D: usize> {
 }
 
 impl<const D: usize> Tie<D> {
+    /// 1 where the first body has the hat functions, −1 where the second has.
+    pub(crate) fn sign(&self) -> f64 {
+        if self.is_second { -1.0 } else { 1.0 }
+    }
+
     /// The tie at these points of the mesh, with a stiffness and multipliers (`&[]`: none). A facet along which a gap is kept has no
     /// normal once it has collapsed; its gap then counts nothing.
     pub(crate) fn at(&self, points: &[[f64; D]], stiffness: f64, multipliers: &[Vector<D>]) -> TieAt<'_, D> {
@@ -37,9 +42,11 @@ impl<const D: usize> Tie<D> {
         };
         let frames: Vec<_> = self.frames.iter().map(|corners| Frame::new(&corners.each_ref().map(sum))).collect();
         let frames: Vec<_> = frames.into_iter().map(|frame| frame.unwrap_or_else(Frame::none)).collect();
+        // A row is the hat functions' side less the other one.
+        let apart = (self.period + self.jump) * self.sign();
         let jump = |row: &TieRow| {
             let kept = row.gaps.iter().map(|&(frame, gap)| frames[frame as usize].normal * gap);
-            (sum(&row.jump) - kept.sum::<Vector<D>>()) / row.measure
+            (sum(&row.jump) - kept.sum::<Vector<D>>()) / row.measure - apart
         };
         let jumps: Vec<_> = self.rows.iter().map(jump).collect();
         let multiplier = |row: usize| multipliers.get(row).copied().unwrap_or_else(Vector::zeros);
@@ -53,6 +60,12 @@ impl<const D: usize> Tie<D> {
 }
 
 impl<const D: usize> TieAt<'_, D> {
+    /// Derivative of the energy by the jump: the force on the first body.
+    pub(crate) fn force(&self) -> Vector<D> {
+        let rows = self.tie.rows.iter().zip(&self.tractions);
+        rows.map(|(row, traction)| traction * row.measure).sum::<Vector<D>>() * -self.tie.sign()
+    }
+
     /// Derivative of the energy by the nodes of the tie.
     pub(crate) fn gradient(&self) -> Vec<Vector<D>> {
         let mut gradient = vec![Vector::zeros(); self.tie.nodes.len()];
@@ -102,6 +115,14 @@ impl<const D: usize> TieAt<'_, D> {
         };
         let mut blocks: Vec<Block<D>> = self.tie.products().iter().map(block).collect();
         blocks.sort_by_key(|block| (block.row, block.col));
+        // A point may be on both sides of a body that is tied to itself.
+        blocks.dedup_by(|next, sum| {
+            let is_same = (next.row, next.col) == (sum.row, sum.col);
+            if is_same {
+                (0..D).for_each(|axis| sum.value[axis][axis] += next.value[axis][axis]);
+            }
+            is_same
+        });
         blocks
     }
 

@@ -7,6 +7,7 @@ mod scene;
 #[path = "../scene/thin.rs"]
 mod thin_bodies;
 
+mod added;
 mod changed;
 mod derivatives;
 mod equations;

@@ -1,5 +1,6 @@
 //! Other options, and other obstacles.
 
+use super::added_ties;
 use crate::Error;
 use crate::contact::evaluation::Contact;
 use crate::contact::method::{Method, Options};
@@ -10,6 +11,7 @@ use crate::overlap::Partner;
 
 /// Replaces the options of all pairs that have none of their own. On an error the old ones stay.
 pub(crate) fn set<const D: usize>(contact: &mut Contact<D>, options: Options) -> Result<(), Error> {
+    added_ties::check_law(contact, &options.law)?;
     let Contact { mesh, partners, method, work, history, state, .. } = contact;
     Method::check(&options, &mesh.surface)?;
     partners.table.check(&options)?;
@@ -47,6 +49,7 @@ pub(crate) fn set_pair<const D: usize>(
 ) -> Result<(), Error> {
     let pair = contact.partners.checked_pair(partners, contact.mesh.surface.body_count())?;
     let options = if pair == partners { options } else { options.map(PairOptions::swapped) };
+    added_ties::check_pair(contact, pair, options)?;
     let of_contact = *contact.method.options();
     let before = contact.partners.friction_of(&pair, &of_contact);
     if let Some(PairOptions { law, excluded, .. }) = options {

@@ -46,7 +46,7 @@ fn through_interfaces<const D: usize>(
     let surfaces =
         HeldSurfaces { surface: &mesh.surface, reference: &reference, now: &now, weighting: method.weighting() };
     let stiffness = |bodies: [usize; 2]| contact.stiffness_of_tie(bodies.map(Partner::Body));
-    for held in ties.all() {
+    for held in ties.of_pairs() {
         let (tie, multipliers) = held?;
         let tractions = tie.at(points, stiffness(tie.bodies), multipliers).tractions;
         parts.push(of_tie(tie, &tractions, &surfaces, conductance));

@@ -5,6 +5,7 @@ use crate::contact::evaluation::Contact;
 use crate::contact::results::OntoNodes;
 use crate::contact::tangents::{Tangent, TangentPart};
 use crate::contact::ties::{TieConstraints, TieNode, TieSummary};
+use crate::geometry::Vector;
 use crate::overlap::Partner;
 use std::collections::BTreeMap;
 
@@ -88,10 +89,10 @@ impl<const D: usize> Contact<D> {
     }
 
     /// The ties as equations of the nodes, or of a host's unknowns, a row for each of [`Self::tie_nodes`]: for hosts that eliminate, or have
-    /// multipliers of their own.
+    /// multipliers of their own. Those of a tie with a period hold for displacements.
     ///
     /// # Errors
-    /// [`Error::Unsupported`] where a gap is kept, along which a row depends on how facets turn, and with bodies that do not separate;
+    /// [`Error::Unsupported`] where a tie has a jump, where a gap is kept, along which a row depends on how facets turn, and with bodies that do not separate;
     /// [`Error::Untied`].
     pub fn tie_constraints(&self) -> Result<TieConstraints, Error> {
         if !self.glides.is_empty() {
@@ -102,6 +103,9 @@ impl<const D: usize> Contact<D> {
             let (tie, _) = held?;
             if tie.largest_gap > 0.0 {
                 return Err(Error::Unsupported { what: "equations of a tie that keeps a gap" });
+            }
+            if tie.jump != Vector::<D>::zeros() {
+                return Err(Error::Unsupported { what: "equations of a tie with a jump, whose right sides are not 0" });
             }
             for row in &tie.rows {
                 let mut sums: BTreeMap<u32, f64> = BTreeMap::new();

@@ -31,6 +31,32 @@ impl Surfaces {
         Ok(self.0.len())
     }
 
+    /// The bodies of two of them.
+    ///
+    /// # Errors
+    /// [`Error::NoSuchNumber`], [`Error::Unsupported`] for one that has facets of several.
+    pub(super) fn bodies<const D: usize>(
+        &self,
+        surface: &Surface<D>,
+        numbers: [usize; 2],
+    ) -> Result<[usize; 2], Error> {
+        let body = |entry: usize| {
+            let facets = self.facets(numbers, entry)?;
+            let of = |facet: usize| surface.ranges.iter().position(|range| range.contains(&facet));
+            match [facets.first(), facets.last()].map(|facet| facet.and_then(|facet| of(*facet))) {
+                [Some(first), Some(last)] if first == last => Ok(first),
+                _ => Err(Error::Unsupported { what: "a tie of a surface with facets of several bodies" }),
+            }
+        };
+        Ok([body(0)?, body(1)?])
+    }
+
+    fn facets(&self, numbers: [usize; 2], entry: usize) -> Result<&Arc<[usize]>, Error> {
+        let number = numbers[entry];
+        let found = number.checked_sub(1).and_then(|place| self.0.get(place));
+        found.ok_or(Error::NoSuchNumber { array: "surfaces", entry, number: [number, self.0.len()] })
+    }
+
     /// What two of them have of two bodies.
     ///
     /// # Errors
@@ -42,10 +68,7 @@ impl Surfaces {
         numbers: [usize; 2],
     ) -> Result<[Arc<[usize]>; 2], Error> {
         let of_body = |entry: usize| {
-            let (number, range) = (numbers[entry], &surface.ranges[bodies[entry]]);
-            let Some(facets) = number.checked_sub(1).and_then(|place| self.0.get(place)) else {
-                return Err(Error::NoSuchNumber { array: "surfaces", entry, number: [number, self.0.len()] });
-            };
+            let (facets, range) = (self.facets(numbers, entry)?, &surface.ranges[bodies[entry]]);
             let own = &facets[facets.partition_point(|f| *f < range.start)..facets.partition_point(|f| *f < range.end)];
             match own.is_empty() {
                 true => Err(Error::Unsupported { what: "a surface of a pair that has no facet of its body" }),
