@@ -441,6 +441,32 @@ class Context : public AddsShapes<Context> {
     return csr<int64_t>(1, [&](auto... arrays) { return fmc_context_tie_constraints(get(), arrays...); });
   }
 
+  // Ties two parts of the surface, of two bodies or of one; `period`, one number for every axis, brings part B to part A. Returns its number.
+  int32_t add_tie(int32_t surface_a, int32_t surface_b, View<const double> period, double reach = 0) {
+    int32_t tie = 0;
+    detail::one_for_each(period, static_cast<std::size_t>(dim()), "period");
+    call(fmc_context_add_tie(get(), surface_a, surface_b, period.data(), reach, &tie));
+    return tie;
+  }
+  void remove_tie(int32_t tie) { call(fmc_context_remove_tie(get(), tie)); }
+  // How far part A of such a tie lies from part B beside its period.
+  void set_tie_jump(int32_t tie, View<const double> jump) {
+    detail::one_for_each(jump, static_cast<std::size_t>(dim()), "jump");
+    call(fmc_context_set_tie_jump(get(), tie, jump.data()));
+  }
+  fmc_tie added_tie(int32_t tie) const {
+    fmc_tie result{};
+    check(fmc_context_added_tie(get(), tie, &result));
+    return result;
+  }
+  // Force of such a tie on part A.
+  std::vector<double> tie_force(Coords coords, int32_t tie) {
+    const auto x = coords.as_c(dim_);
+    std::vector<double> force(static_cast<std::size_t>(dim()));
+    call(fmc_context_tie_force(get(), &x, tie, force.data(), force.size(), nullptr));
+    return force;
+  }
+
   // The cohesive interface of two bodies at coordinates; its area is 0 where they have none.
   fmc_cohesive cohesive(std::size_t a, std::size_t b, Coords coords) {
     const auto x = coords.as_c(dim_);

@@ -229,6 +229,12 @@ void forces_and_getters() {
   EXPECT(refused(FMC_ERROR_NODE_OUT_OF_RANGE, "", [&] { contact.set_symmetry_nodes({8}); }));
   EXPECT(contact.add_surface({0, 1}) == 1);
   EXPECT(refused(FMC_ERROR_BAD_VALUE, "", [&] { contact.add_surface({99}); }));
+  const std::vector<double> none{0, 0};
+  EXPECT(refused(FMC_ERROR_BAD_VALUE, "", [&] { contact.add_tie(1, 9, none); }));
+  EXPECT(refused(FMC_ERROR_BAD_VALUE, "", [&] { contact.set_tie_jump(1, none); }));
+  EXPECT(refused(FMC_ERROR_BAD_VALUE, "", [&] { contact.added_tie(1); }));
+  EXPECT(refused(FMC_ERROR_BAD_VALUE, "", [&] { contact.tie_force(coords, 1); }));
+  EXPECT(refused(FMC_ERROR_BAD_VALUE, "", [&] { contact.remove_tie(1); }));
 }
 
 void tangents() {

@@ -138,6 +138,17 @@ impl Host {
             assert!((status == OK) == (surface > 0) || hole == 7, "an error writes outputs");
             let coords = unless(hole, 0, (&raw const view).cast_mut());
             let none = std::ptr::null_mut();
+            let (mut added, period) = (-77, Guarded::new(&[1.0, 0.0, 0.0]));
+            let vector = unless(hole, 5, period.ptr()).cast_const();
+            let number = unless(hole, 6, &raw mut added);
+            let status = checked(fmc_context_add_tie(self.context, surface, surface, vector, 0.5, number));
+            assert!((status == OK) == (added > 0) || hole == 6, "an error writes outputs");
+            checked(fmc_context_set_tie_jump(self.context, added, vector));
+            checked(fmc_context_added_tie(self.context, added, unless(hole, 3, &raw mut tie)));
+            let (force, no_count) = (Guarded::new(&[0.0; 3]), std::ptr::null_mut());
+            let room = unless(hole, 4, force.ptr());
+            checked(fmc_context_tie_force(self.context, coords, added, room, 3, no_count));
+            checked(fmc_context_remove_tie(self.context, added));
             let status = fmc_context_tie_nodes(self.context, coords, none, 0, unless(hole, 1, &raw mut count));
             if checked(status) != OK || hole == 2 {
                 assert_eq!(count, 77);

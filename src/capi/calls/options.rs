@@ -1,5 +1,6 @@
 //! Options by their names, those of pairs, and a stiffness for a law.
 
+pub(super) mod added_ties;
 pub(super) mod context_options;
 pub(super) mod interrupt;
 pub(super) mod option_keys;

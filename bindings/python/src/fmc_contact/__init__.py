@@ -5,13 +5,14 @@ one call or by a ``Contact`` that is kept. Forces push bodies apart. Units are t
 (2D: N/m).
 
     search  ->  contact_force, OnUnknowns, PartitionedContact  ->  Contact
-            ->  its parts: mesh, obstacles, pairs, friction, multipliers, patches, pattern, ranks
+            ->  its parts: mesh, obstacles, pairs, ties, friction, multipliers, patches, pattern, ranks
             ->  creation, _core, options; results: result, fields, flux, gradients, forward, boundary, gaps, points, tangent
             ->  _handle, _arrays  ->  _library  ->  _signatures, _structs  ->  errors
 """
 
 from . import errors
 from ._library import library as _shared
+from .added_ties import Ties
 from .boundary import BoundaryFacets
 from .cohesive import CohesiveInterface, CohesiveInterfaces, CohesivePoints
 from .condensation import Condensation
@@ -110,6 +111,7 @@ __all__ = [
     "Tie",
     "TieConstraints",
     "TieNodes",
+    "Ties",
     "check_host",
     "contact_force",
     "contact_force_step",

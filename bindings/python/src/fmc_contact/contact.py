@@ -16,6 +16,7 @@ from ._core import Core
 from ._library import library
 from ._structs import fmc_log_callback, fmc_options, fmc_result, fmc_step_limit
 from ._unpack import Unpack
+from .added_ties import Ties
 from .cohesive import CohesiveInterfaces
 from .contact_step import ContactStep, contact_step
 from .fields import ContactPoints, NodalContact, contact_points, nodal_contact
@@ -72,6 +73,8 @@ class Contact:
         Rigid obstacles: added, moved, removed.
     pairs : Pairs
         Options of single pairs.
+    ties : Ties
+        Ties between named parts of surfaces, with a period or a jump.
     cohesive : CohesiveInterfaces
         Interfaces that break, and their damage.
     friction : FrictionSteps
@@ -108,6 +111,7 @@ class Contact:
     mesh: Mesh
     obstacles: Obstacles
     pairs: Pairs
+    ties: Ties
     cohesive: CohesiveInterfaces
     friction: FrictionSteps
     multipliers: Multipliers
@@ -184,6 +188,7 @@ class Contact:
         """Takes a context, and makes the parts."""
         self._core = core = Core(start.handle, options, start.dim, start.is_columns)
         self.mesh, self.obstacles, self.pairs = Mesh(core), Obstacles(core), Pairs(core)
+        self.ties = Ties(core)
         self.cohesive, self.friction, self.multipliers = CohesiveInterfaces(core), FrictionSteps(core), Multipliers(core)
         self.patches, self.pattern, self.ranks = Patches(core), Pattern(core), Ranks(core)
 
