@@ -97,6 +97,15 @@ coords = np.array([[0, 0], [1, 0], [1, 1], [0, 1], [0.99, 0.1], [1.99, 0.1], [1.
 squares = np.array([[0, 1, 2, 3], [4, 5, 6, 7]])
 """
 
+TWO_HALVES = """
+import numpy as np
+from fmc_contact import Contact
+coords = np.array([[0, 0], [1, 0], [1, 1], [0, 1], [0, 1], [1, 1], [1, 2], [0, 2]], float)
+contact = Contact(coords, [[0, 1, 2, 3], [4, 5, 6, 7]], "quad", bodies=[0, 1], stiffness=1e3)
+contact.pairs.set(0, 1, excluded=True)
+cut = contact.ties.add((contact.mesh.add_surface([4]), contact.mesh.add_surface([2])))
+"""
+
 # What stands before a piece, what is checked behind it; None: the tests named run it.
 PIECES = {
     "first-contact.md": [
@@ -117,6 +126,12 @@ PIECES = {
     "interfaces.md": [
         ("", "assert np.allclose(result.forces[4:7, 1], [-0.5, -1, -0.5])"),
         ("import numpy as np\nfrom fmc_contact import Contact", "assert left == 1 and halves.pairs.tie(0, 1).area == 1.0"),
+        (
+            "import numpy as np\nfrom fmc_contact import Contact",
+            "sheared[2:, 0] -= 0.1\nassert np.allclose(square.ties.force(across, sheared), (100, 0))",
+        ),
+        # Halves that stay where they are: the force is the stiffness times the jump.
+        (TWO_HALVES, "tighten(contact, cut, lambda: coords, 20.0)\nassert np.allclose(contact.ties.force(cut, coords), (0, -20))"),
         (
             "import numpy as np\nfrom fmc_contact import Contact\nconn = np.array([[0, 1, 2, 3], [4, 5, 8, 7], [5, 6, 9, 8]])\n",
             # Along the last line towards the origin from 0.03, where it was 2 · 2 · (0.1 − 0.03)/(0.1 − 0.001).
