@@ -957,7 +957,8 @@ typedef struct {
   double friction_coefficient;
   // A value of `fmc_law`, or `FMC_PAIR_LAW_OF_CONTEXT`, the default.
   int32_t law;
-  // 1: the pair is left out; it is not measured, and adds nothing to any result. Default 0.
+  // 1: the pair is left out; it is not measured, and adds nothing to any result. With `surface_a` and `surface_b` these parts are held, and
+  // no other face of the pair is in contact. Default 0.
   int32_t excluded;
   // Coefficient of friction of what rests, at least that of what slides; 0, the default: that of the context's options, or none where
   // `friction_coefficient` is set.
@@ -2483,6 +2484,65 @@ fmc_status fmc_context_tie_constraints(const fmc_context *context,
                                        double *values,
                                        size_t capacity,
                                        size_t *count);
+
+// Ties two parts of the surface (`fmc_context_add_surface`), each of one body, of two bodies or of one: x_A - x_B = `period` + jump for points that
+// face one another without deformation once `period`, `dim` numbers, has brought part B to part A. `tie` becomes the number of the tie, 1, 2, ...;
+// the jump is 0 at first (`fmc_context_set_tie_jump`). A body may have several.
+//
+// What is tied, and within which `reach` (0: the default), is as of `FMC_INTERFACE_TIED`, with the stiffness of the pair's law and with
+// multipliers. It changes no contact. With a period the named facets alone can hide one another. Heat does not pass it.
+//
+// With the period of a periodic cell and the jump H period the cell has the macroscopic displacement gradient H; its stress is the sum of
+// F period^T / V over the ties with their forces F (`fmc_context_tie_force`). In a bolt that is cut across, the jump along its axis is the
+// length that pretension takes out of it.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`; `FMC_ERROR_BAD_VALUE` for a surface that does not exist; `FMC_ERROR_UNTIED`; `FMC_ERROR_NOT_POSITIVE` for a
+// reach; `FMC_ERROR_NON_FINITE_STIFFNESS` for a period that is not finite; `FMC_ERROR_UNSUPPORTED` for a surface of several bodies, for two with a
+// facet in common, for two bodies in contact whose faces lie on one another, by the law "volume", without cells, in parts, and for a period
+// along the radius; `FMC_ERROR_BUSY`. Nothing changes then. Threads: one call at a time on a context.
+fmc_status fmc_context_add_tie(fmc_context *context,
+                               int32_t surface_a,
+                               int32_t surface_b,
+                               const double *period,
+                               double reach,
+                               int32_t *tie);
+
+// Removes a tie of `fmc_context_add_tie`. Numbers of others stay.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BAD_VALUE` if there is no such tie, `FMC_ERROR_BUSY`. Threads: one call at a time on a
+// context.
+fmc_status fmc_context_remove_tie(fmc_context *context,
+                                  int32_t tie);
+
+// Has the first part of a tie of `fmc_context_add_tie` lie so far from the second, beside its period: `jump` are `dim` numbers. No face is looked
+// for anew, and multipliers stay.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BAD_VALUE` if there is no such tie, `FMC_ERROR_NON_FINITE_STIFFNESS` for a jump that is not finite,
+// `FMC_ERROR_UNSUPPORTED` for one along the radius, `FMC_ERROR_BUSY`; the old jump then stays. Threads: one call at a time on a context.
+fmc_status fmc_context_set_tie_jump(fmc_context *context,
+                                    int32_t tie,
+                                    const double *jump);
+
+// What a tie of `fmc_context_add_tie` holds.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BAD_VALUE` if there is no such tie, `FMC_ERROR_UNTIED` as `fmc_context_tie`, `FMC_ERROR_BUSY`. Threads:
+// several at once on one context, as long as no call changes it.
+fmc_status fmc_context_added_tie(const fmc_context *context,
+                                 int32_t tie,
+                                 fmc_tie *found);
+
+// Force of a tie of `fmc_context_add_tie` on its first part at `coords`: the derivative of the energy by the jump. That on the second part is
+// its negative. `count` becomes `dim`; `force` has room for `capacity` numbers.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BAD_VALUE` if there is no such tie, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_LENGTH`,
+// `FMC_ERROR_NON_FINITE_COORDINATE`, `FMC_ERROR_NO_STIFFNESS`, `FMC_ERROR_UNTIED` as `fmc_context_tie`, `FMC_ERROR_BUSY`. Threads: one call at a
+// time on a context.
+fmc_status fmc_context_tie_force(fmc_context *context,
+                                 const fmc_coords *coords,
+                                 int32_t tie,
+                                 double *force,
+                                 size_t capacity,
+                                 size_t *count);
 
 // Nothing conducts: no tables.
 //

@@ -1372,6 +1372,46 @@ module fmc_contact_c
       integer(c_size_t), intent(inout), optional :: count
       integer(c_int32_t) :: fmc_context_tie_constraints
     end function
+    function fmc_context_add_tie(context, surface_a, surface_b, period, reach, tie) bind(c)
+      import
+      type(c_ptr), value :: context
+      integer(c_int32_t), value :: surface_a
+      integer(c_int32_t), value :: surface_b
+      real(c_double), intent(in), optional :: period(*)
+      real(c_double), value :: reach
+      integer(c_int32_t), intent(inout), optional :: tie(*)
+      integer(c_int32_t) :: fmc_context_add_tie
+    end function
+    function fmc_context_remove_tie(context, tie) bind(c)
+      import
+      type(c_ptr), value :: context
+      integer(c_int32_t), value :: tie
+      integer(c_int32_t) :: fmc_context_remove_tie
+    end function
+    function fmc_context_set_tie_jump(context, tie, jump) bind(c)
+      import
+      type(c_ptr), value :: context
+      integer(c_int32_t), value :: tie
+      real(c_double), intent(in), optional :: jump(*)
+      integer(c_int32_t) :: fmc_context_set_tie_jump
+    end function
+    function fmc_context_added_tie(context, tie, found) bind(c)
+      import
+      type(c_ptr), value :: context
+      integer(c_int32_t), value :: tie
+      type(fmc_tie), intent(inout), optional :: found
+      integer(c_int32_t) :: fmc_context_added_tie
+    end function
+    function fmc_context_tie_force(context, coords, tie, force, capacity, count) bind(c)
+      import
+      type(c_ptr), value :: context
+      type(fmc_coords), intent(in), optional :: coords
+      integer(c_int32_t), value :: tie
+      real(c_double), intent(inout), optional :: force(*)
+      integer(c_size_t), value :: capacity
+      integer(c_size_t), intent(inout), optional :: count
+      integer(c_int32_t) :: fmc_context_tie_force
+    end function
     function fmc_conductance_init(conductance) bind(c)
       import
       type(fmc_conductance), intent(inout), optional :: conductance

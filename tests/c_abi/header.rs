@@ -77,6 +77,7 @@ pub(crate) const SECTIONS: [Section; 20] = [
             "calls/results/gap_constraints",
             "structs/tie",
             "calls/results/ties",
+            "calls/options/added_ties",
             "structs/conductance",
             "calls/results/flux",
             "structs/cohesive",

@@ -884,14 +884,14 @@ unsafe extern "C" {
     pub fn fmc_context_contact_points(context: *mut fmc_context, coords: *const fmc_coords, points: *mut fmc_contact_point, capacity: usize, count: *mut usize) -> fmc_status;
     pub fn fmc_context_gap_constraints(context: *mut fmc_context, coords: *const fmc_coords, reach: f64, rows: *mut fmc_gap_constraint, capacity: usize, count: *mut usize) -> fmc_status;
     pub fn fmc_context_gap_gradient(context: *const fmc_context, row_offsets: *mut c_void, offset_capacity: usize, offset_count: *mut usize, cols: *mut c_void, values: *mut f64, capacity: usize, count: *mut usize) -> fmc_status;
+    pub fn fmc_context_tie(context: *const fmc_context, a: usize, b: usize, tie: *mut fmc_tie) -> fmc_status;
+    pub fn fmc_context_tie_nodes(context: *mut fmc_context, coords: *const fmc_coords, rows: *mut fmc_tie_node, capacity: usize, count: *mut usize) -> fmc_status;
+    pub fn fmc_context_tie_constraints(context: *const fmc_context, row_offsets: *mut c_void, offset_capacity: usize, offset_count: *mut usize, cols: *mut c_void, values: *mut f64, capacity: usize, count: *mut usize) -> fmc_status;
     pub fn fmc_context_add_tie(context: *mut fmc_context, surface_a: i32, surface_b: i32, period: *const f64, reach: f64, tie: *mut i32) -> fmc_status;
     pub fn fmc_context_remove_tie(context: *mut fmc_context, tie: i32) -> fmc_status;
     pub fn fmc_context_set_tie_jump(context: *mut fmc_context, tie: i32, jump: *const f64) -> fmc_status;
     pub fn fmc_context_added_tie(context: *const fmc_context, tie: i32, found: *mut fmc_tie) -> fmc_status;
     pub fn fmc_context_tie_force(context: *mut fmc_context, coords: *const fmc_coords, tie: i32, force: *mut f64, capacity: usize, count: *mut usize) -> fmc_status;
-    pub fn fmc_context_tie(context: *const fmc_context, a: usize, b: usize, tie: *mut fmc_tie) -> fmc_status;
-    pub fn fmc_context_tie_nodes(context: *mut fmc_context, coords: *const fmc_coords, rows: *mut fmc_tie_node, capacity: usize, count: *mut usize) -> fmc_status;
-    pub fn fmc_context_tie_constraints(context: *const fmc_context, row_offsets: *mut c_void, offset_capacity: usize, offset_count: *mut usize, cols: *mut c_void, values: *mut f64, capacity: usize, count: *mut usize) -> fmc_status;
     pub fn fmc_conductance_init(conductance: *mut fmc_conductance) -> fmc_status;
     pub fn fmc_context_flux(context: *mut fmc_context, coords: *const fmc_coords, conductance: *const fmc_conductance, field_count: usize, fields: *const f64, of_obstacles: *const f64, flux: *mut f64, obstacle_flux: *mut f64) -> fmc_status;
     pub fn fmc_context_flux_matrix(context: *const fmc_context, row_offsets: *mut c_void, offset_capacity: usize, offset_count: *mut usize, cols: *mut c_void, values: *mut f64, capacity: usize, count: *mut usize) -> fmc_status;

@@ -233,14 +233,6 @@ FUNCTIONS: dict[str, tuple[Any, list[Any]]] = {
         c_int32,
         [fmc_context, IndexArray, c_size_t, POINTER(c_size_t), IndexArray, Float64Array, c_size_t, POINTER(c_size_t)],
     ),
-    "fmc_context_add_tie": (c_int32, [fmc_context, c_int32, c_int32, Float64Array, c_double, Int32Array]),
-    "fmc_context_remove_tie": (c_int32, [fmc_context, c_int32]),
-    "fmc_context_set_tie_jump": (c_int32, [fmc_context, c_int32, Float64Array]),
-    "fmc_context_added_tie": (c_int32, [fmc_context, c_int32, POINTER(fmc_tie)]),
-    "fmc_context_tie_force": (
-        c_int32,
-        [fmc_context, POINTER(fmc_coords), c_int32, Float64Array, c_size_t, POINTER(c_size_t)],
-    ),
     "fmc_context_tie": (c_int32, [fmc_context, c_size_t, c_size_t, POINTER(fmc_tie)]),
     "fmc_context_tie_nodes": (
         c_int32,
@@ -249,6 +241,14 @@ FUNCTIONS: dict[str, tuple[Any, list[Any]]] = {
     "fmc_context_tie_constraints": (
         c_int32,
         [fmc_context, IndexArray, c_size_t, POINTER(c_size_t), IndexArray, Float64Array, c_size_t, POINTER(c_size_t)],
+    ),
+    "fmc_context_add_tie": (c_int32, [fmc_context, c_int32, c_int32, Float64Array, c_double, Int32Array]),
+    "fmc_context_remove_tie": (c_int32, [fmc_context, c_int32]),
+    "fmc_context_set_tie_jump": (c_int32, [fmc_context, c_int32, Float64Array]),
+    "fmc_context_added_tie": (c_int32, [fmc_context, c_int32, POINTER(fmc_tie)]),
+    "fmc_context_tie_force": (
+        c_int32,
+        [fmc_context, POINTER(fmc_coords), c_int32, Float64Array, c_size_t, POINTER(c_size_t)],
     ),
     "fmc_conductance_init": (c_int32, [POINTER(fmc_conductance)]),
     "fmc_context_flux": (
