@@ -105,7 +105,8 @@ class Pair:
     friction : Friction
         Friction of the pair. Its ``largest_slip`` is that of all pairs.
     force : ndarray, (dim,)
-        Force of ``a`` on ``b``, friction included; that of ``b`` on ``a`` is its negative. 0 for a body that overlaps itself.
+        Force of ``a`` on ``b``, friction included; that of ``b`` on ``a`` is its negative. 0 for a body that overlaps itself; of a tie of
+        a body with itself the force on part B.
 
     Examples
     --------
