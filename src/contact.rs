@@ -29,7 +29,7 @@ pub use evaluation::Contact;
 pub(crate) use evaluation::{Needed, hash_in_common, needed};
 pub use explicit::{Accuracy, largest_eigenvalue};
 pub use flux::{Conductance, ContactFlux, FluxRequest};
-pub use friction::{FacetSlip, Friction, FrictionTotals, StaticFriction};
+pub use friction::{FacetSlip, Friction, FrictionTotals, OrthotropicFriction, StaticFriction};
 pub use history::Multiplier;
 pub use interface::{FrictionStep, contact_force, contact_force_step};
 pub use laws::{EnergyLaw, EnergyProfile, PenetrationLaw, StiffnessFrom, suggest_fiber_stiffness, suggest_stiffness};

@@ -6,7 +6,7 @@
 //! q = k_T s      while that is below the limit μ p (stick), else the limit along s (slip)
 //! ```
 //!
-//! `options` · `return_mapping` (from slip to traction) · `past_points`, `step` (the state when
+//! `options` · `return_mapping` (from slip to traction) · `orthotropic`, `ellipse`, `direction` (limits that are other ones along a direction) · `past_points`, `step` (the state when
 //! the step began) · `moved_out` (surfaces that multipliers move out) · `side_motion` (how one side moved since) · `touch` (the part of the step during which a facet bears) · `carried` (elastic slip from one step to the next) · `carriers` (the facets on which a point
 //! lies) · `energy` (what a facet has dissipated) · `bore` (limits before) · `facet_sums` (sums over the points of a facet) · `slip_facets` (the facets of a pair with their slip) ·
 //! `tractions` (forces, tangent and energies of a pair) · `frozen` (facets and pressure of an earlier iteration) ·
@@ -16,12 +16,15 @@ mod at_points;
 mod bore;
 mod carried;
 mod carriers;
+mod direction;
+mod ellipse;
 mod energy;
 mod facet_sums;
 mod frozen;
 mod heat;
 mod moved_out;
 mod options;
+mod orthotropic;
 mod past_points;
 mod return_mapping;
 mod side_motion;
@@ -38,10 +41,12 @@ pub(super) use frozen::FrozenFriction;
 pub(super) use heat::heat_of_released;
 pub(super) use moved_out::{Material, MovedOut};
 pub use options::{Friction, StaticFriction};
+pub use orthotropic::OrthotropicFriction;
+pub(super) use orthotropic::Orthotropy;
 pub(super) use past_points::PastPoints;
 pub(super) use return_mapping::Stick;
 pub(super) use slip_facets::SlipFacets;
 pub(super) use step::{Sliding, Step};
 pub(super) use touch::FacetBearings;
 pub use tractions::FrictionTotals;
-pub(super) use tractions::Tractions;
+pub(super) use tractions::{Tractions, Undirected};

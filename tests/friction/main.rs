@@ -10,6 +10,7 @@ mod impact;
 mod limits;
 mod memoryless;
 mod moved_out;
+mod orthotropic;
 mod rings;
 mod side_state;
 mod steps;

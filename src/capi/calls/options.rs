@@ -4,6 +4,7 @@ pub(super) mod added_ties;
 pub(super) mod context_options;
 pub(super) mod interrupt;
 pub(super) mod option_keys;
+pub(super) mod orthotropic_pair;
 pub(super) mod pair_interface;
 pub(super) mod pair_options;
 pub(super) mod stiffness;

@@ -177,6 +177,9 @@ pub enum fmc_warning {
     /// Faces of bodies that are tied lie in part farther apart than the reach, as those of coarse round bodies, and are tied in part only;
     /// the text gives areas and distances. A larger `reach` of the pair ties them.
     FMC_WARNING_TIED_IN_PART = 12,
+    /// Facets in contact are perpendicular to the direction along which the friction of the pair has a coefficient of its own; the text
+    /// gives one of them, counted from `index_base`, and their part of the friction. The transverse coefficient holds there for all slip.
+    FMC_WARNING_NO_FRICTION_DIRECTION = 13,
 }
 
 fn warning_code(warning: &Warning) -> i32 {
@@ -192,6 +195,7 @@ fn warning_code(warning: &Warning) -> i32 {
         Warning::CoarseFaces { .. } => fmc_warning::FMC_WARNING_COARSE_FACES,
         Warning::UnusedSmoothing { .. } => fmc_warning::FMC_WARNING_UNUSED_SMOOTHING,
         Warning::TiedInPart { .. } => fmc_warning::FMC_WARNING_TIED_IN_PART,
+        Warning::NoFrictionDirection { .. } => fmc_warning::FMC_WARNING_NO_FRICTION_DIRECTION,
         Warning::SwallowedBody { .. } => fmc_warning::FMC_WARNING_SWALLOWED_BODY,
     };
     code as i32

@@ -3,6 +3,7 @@
 use super::added_ties;
 use crate::Error;
 use crate::contact::evaluation::Contact;
+use crate::contact::mesh::Mesh;
 use crate::contact::method::{Method, Options};
 use crate::contact::partners::{LayerStiffness, PairOptions};
 use crate::geometry::Pose;
@@ -56,6 +57,9 @@ pub(crate) fn set_pair<const D: usize>(
         let is_own = pair[0] == pair[1] && !excluded;
         contact.history.multipliers.check(&law.unwrap_or(of_contact.law), is_own)?;
     }
+    if let Some(orthotropic) = options.and_then(|options| options.orthotropic) {
+        check_carrier(&contact.mesh, pair[usize::from(orthotropic.of_second)])?;
+    }
     let own_before = contact.partners.table.options(&pair);
     contact.partners.set_pair_options(pair, options, &of_contact)?;
     if let Err(error) = set_interface(contact, pair, options) {
@@ -63,16 +67,28 @@ pub(crate) fn set_pair<const D: usize>(
         return Err(error);
     }
     let after = contact.partners.friction_of(&pair, &of_contact);
+    let orthotropic = |options: Option<PairOptions>| options.and_then(|own| own.orthotropic);
     let held = |options: Option<PairOptions>| options.filter(|own| own.surfaces.is_some()).map(|own| own.interface);
     if !contact.partners.has(&pair, &of_contact) || held(own_before) != held(options) {
         contact.history.leave_out(|partners| *partners == pair);
     } else if !after.is_active() {
         contact.history.release_frozen(|partners| *partners == pair);
-    } else if after != before {
+    } else if after != before || orthotropic(own_before) != orthotropic(options) {
         contact.history.release_friction();
     }
     contact.state.forget_found();
     Ok(())
+}
+
+/// Refuses a direction of what has no shape without deformation.
+fn check_carrier<const D: usize>(mesh: &Mesh<D>, carrier: Partner) -> Result<(), Error> {
+    mesh.surface.refuse_submesh("a transverse_coefficient of a mesh in parts")?;
+    match carrier {
+        Partner::Body(_) if mesh.surface.cells.is_none() => Err(Error::Unsupported {
+            what: "a direction of a body without cells, which has no coordinates without deformation",
+        }),
+        _ => Ok(()),
+    }
 }
 
 /// Ties a pair, or holds it together by an interface that breaks, or releases it.

@@ -118,6 +118,9 @@ fn by_coefficient<const D: usize>(
         let what = "the derivative by a coefficient of friction of 0, at which the slip of the step is not known";
         return Err(Error::Unsupported { what });
     }
+    if partners.orthotropy_of(pair, method.options()).is_some() {
+        return Err(Error::Unsupported { what: "the derivative by a coefficient of friction along a direction" });
+    }
     if friction.at_rest.is_some() || friction.cohesion != 0.0 || friction.shear_limit.is_finite() {
         let what = "the derivative by the coefficient of friction with static friction, cohesion or a shear limit";
         return Err(Error::Unsupported { what });

@@ -12,8 +12,8 @@ use crate::Error;
 use crate::contact::derivatives::{GradientRequest, Gradients};
 use crate::contact::explicit::largest_step;
 use crate::contact::flux::FluxRequest;
-use crate::contact::friction::{SlipFacets, Tractions};
-use crate::contact::laws::{Asked, PairEnergy};
+use crate::contact::friction::{SlipFacets, Tractions, Undirected};
+use crate::contact::laws::{Asked, PairEnergy, carry_the_force};
 use crate::contact::results::{
     ContactForces, FrictionHeat, GapConstraints, NodalContact, OntoNodes, PairForces, PointOfContact, points_of_contact,
 };
@@ -185,6 +185,7 @@ fn forces_of<const D: usize>(
         nodes: found.nodes.iter().map(|&node| node as usize).collect(),
     }));
     forces.warnings.extend(unused_smoothing(contact, &forces.pairs));
+    forces.warnings.extend(tractions.iter().filter_map(without_direction));
     Ok(if contact.method.options().axisymmetric { forces.without_moments() } else { forces })
 }
 
@@ -197,6 +198,13 @@ fn unused_smoothing<const D: usize>(contact: &Contact<D>, pairs: &[PairForces]) 
         }
     }
     found
+}
+
+/// Told of a pair whose friction has a direction that is perpendicular to facets that bear more than walls beside a contact do.
+fn without_direction<const D: usize>(tractions: &Tractions<D>) -> Option<Warning> {
+    let Undirected { facet, part } = tractions.undirected.filter(|found| found.part > 0.01)?;
+    let [a, b] = tractions.partners;
+    Some(Warning::NoFrictionDirection { a, b, facet, part })
 }
 
 fn tangent_in<const D: usize>(

@@ -41,7 +41,8 @@ fn sliding_of<'a, const D: usize>(
     let now = partners.bearing_rule(pair, method.options(), mesh.hashes());
     let bearings = history.bearings.as_ref().and_then(|bearings| bearings.of(pair, now));
     let is_by_depth = law.initial_stiffness().is_some();
-    Ok(Some(Sliding { friction, stick, step, material: None, bearings, is_by_depth }))
+    let orthotropy = partners.orthotropy_of(pair, method.options());
+    Ok(Some(Sliding { friction, orthotropy, stick, step, material: None, bearings, is_by_depth }))
 }
 
 /// The pairs that were in contact when the step began and are not any more, with the energy that was stored in them; `found` are those that

@@ -47,11 +47,16 @@ impl<const D: usize> SlipFacet<D> {
         let Before { slip, part, area, limit, .. } = self.before;
         let along = self.trial - traction.elastic;
         let slid = along.norm();
-        let Some(limit) = limit.filter(|_| slid > 0.0 && self.slider.limit > 0.0) else { return 1.0 };
+        // In the direction of the slip.
+        let by_direction = self.part_of_limit(traction);
+        let at_end = self.slider.limit * by_direction;
+        let Some(limit) = limit.filter(|_| slid > 0.0 && at_end > 0.0).map(|limit| limit * by_direction) else {
+            return 1.0;
+        };
         let carried = slip.dot(&along) / slid;
         let stuck = (limit / (stiffness * area.max(1.0)) - part * carried).max(0.0);
         // With a coefficient that falls it slid by more than now.
         let limit = limit.max(stiffness * area * carried);
-        1.0 - 0.5 * (1.0 - limit / self.slider.limit) * slid / (slid + stuck)
+        1.0 - 0.5 * (1.0 - limit / at_end) * slid / (slid + stuck)
     }
 }

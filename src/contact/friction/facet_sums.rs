@@ -2,6 +2,7 @@
 
 use super::bore::Bore;
 use super::carriers::{Carriers, in_surface};
+use super::direction::direction_at;
 use super::side_motion::{LastFacet, Mover, SideMotion};
 use super::step::Sliding;
 use super::touch::Bearing;
@@ -37,6 +38,8 @@ pub(super) struct Sums<const D: usize> {
     pub(super) depth: f64,
     pub(super) position: Vector<D>,
     pub(super) normal: Vector<D>,
+    /// Unit vectors along which friction is another, times the area; zero without such a direction.
+    pub(super) direction: Vector<D>,
     /// Of friction, as far as it has fallen.
     coefficient: f64,
     /// Of the facet, since the step began.
@@ -73,6 +76,7 @@ pub(super) fn add_point<const D: usize>(
     // Cells bear where their material is.
     let inside = sides.iter().find(|side| sliding.material.is_some() && side.is_inside());
     let position = inside.map_or((sides[0].now + sides[1].now) * 0.5, |side| side.now);
+    let direction = sliding.orthotropy.as_ref().and_then(|one| direction_at(pair, one, point, &normal));
     for (of_b, facet) in carriers.facets() {
         let name = (pair.partners, of_b, in_surface(pair, of_b, facet)?);
         let new = || Sums::new(sides[usize::from(of_b)].deformation, sliding.coefficient(&name));
@@ -87,6 +91,9 @@ pub(super) fn add_point<const D: usize>(
         sums.depth += area * point.penetration * point.normal.dot(&normal);
         sums.position += position * area;
         sums.normal += normal * area;
+        if let Some(direction) = direction {
+            sums.direction += direction * area;
+        }
         for (of_b, side) in [(false, &sides[0]), (true, &sides[1])] {
             let signed = if of_b { -area } else { area };
             let slope = point.slopes[usize::from(of_b)] * (slope * part);
@@ -112,6 +119,7 @@ impl<const D: usize> Sums<D> {
             depth,
             position: zero,
             normal: zero,
+            direction: zero,
             coefficient,
             deformation,
             rows: Vec::new(),

@@ -1,15 +1,18 @@
 //! From the slip at a point to its traction.
 
+use super::ellipse::Ellipse;
 use super::options::Friction;
 use crate::geometry::Vector;
 use nalgebra::SMatrix;
 
 /// What resists the slip.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Slider {
+pub(crate) struct Slider<const D: usize> {
     pub(crate) stick: Stick,
     /// Traction at which it slides.
     pub(crate) limit: f64,
+    /// Where that is not the same in all directions; the limit is then the largest.
+    pub(crate) ellipse: Option<Ellipse<D>>,
 }
 
 /// What resists the slip below the limit.
@@ -53,9 +56,12 @@ impl Friction {
     }
 }
 
-impl Slider {
+impl<const D: usize> Slider<D> {
     /// Traction at this slip: the elastic slip if none of it were plastic; of a slider without memory the slip of the step.
-    pub(crate) fn traction<const D: usize>(&self, trial: &Vector<D>) -> Traction<D> {
+    pub(crate) fn traction(&self, trial: &Vector<D>) -> Traction<D> {
+        if let Some(ellipse) = &self.ellipse {
+            return ellipse.traction(self.stick, self.limit, trial);
+        }
         let size = trial.norm();
         match self.stick {
             Stick::Spring(stiffness) if size * stiffness <= self.limit => Traction {
@@ -97,7 +103,7 @@ impl Slider {
     }
 
     /// All of a slip against the limit.
-    fn at_limit<const D: usize>(&self, along: Vector<D>, size: f64) -> Traction<D> {
+    fn at_limit(&self, along: Vector<D>, size: f64) -> Traction<D> {
         Traction {
             value: along * self.limit,
             elastic: Vector::zeros(),
@@ -116,7 +122,8 @@ mod tests {
 
     #[test]
     fn sticks_below_the_limit_and_slides_at_it() {
-        let slider = Slider { stick: Stick::Spring(100.0), limit: Friction::coulomb(0.5).limit(8.0, 0.5).0 };
+        let limit = Friction::coulomb(0.5).limit(8.0, 0.5).0;
+        let slider = Slider { stick: Stick::Spring(100.0), limit, ellipse: None };
         let stuck = slider.traction(&Vector::<2>::new(0.03, 0.0));
         assert_eq!((stuck.value[0], stuck.slides, stuck.dissipated), (3.0, false, 0.0));
         let slid = slider.traction(&Vector::<2>::new(0.0, -0.1));
@@ -130,7 +137,7 @@ mod tests {
 
     #[test]
     fn without_memory_the_traction_grows_smoothly_to_the_limit() {
-        let slider = Slider { stick: Stick::Memoryless(0.1), limit: 4.0 };
+        let slider = Slider { stick: Stick::Memoryless(0.1), limit: 4.0, ellipse: None };
         let at = |x: f64| slider.traction(&Vector::<2>::new(x, 0.0));
         for (slip, traction) in [(0.0, 0.0), (0.05, 3.0), (0.1, 4.0), (-0.3, -4.0)] {
             let found = at(slip);
@@ -143,7 +150,7 @@ mod tests {
     fn derivatives_are_those_of_the_traction() {
         let h = 1e-6;
         for stick in [Stick::Spring(100.0), Stick::Memoryless(0.1)] {
-            let slider = Slider { stick, limit: 4.0 };
+            let slider = Slider { stick, limit: 4.0, ellipse: None };
             for trial in [[0.01, 0.02, -0.005], [0.07, -0.02, 0.05], [0.3, 0.1, -0.2]].map(Vector::<3>::from) {
                 let found = slider.traction(&trial);
                 for axis in 0..3 {

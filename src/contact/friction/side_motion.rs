@@ -193,12 +193,12 @@ pub(crate) struct FacetFrame<const D: usize> {
     gradients: [Vector<D>; D],
     normal: Vector<D>,
     /// Of vectors within the facet, and of its normal into the normal now.
-    deformation: SMatrix<f64, D, D>,
+    pub(super) deformation: SMatrix<f64, D, D>,
 }
 
 impl<const D: usize> FacetFrame<D> {
     /// `None` where it has no measure.
-    fn new(corners: &[Vector<D>; D], starts: &[Vector<D>; D]) -> Option<Self> {
+    pub(super) fn new(corners: &[Vector<D>; D], starts: &[Vector<D>; D]) -> Option<Self> {
         let (normal, gradients) = frame(corners)?;
         let (old_normal, old_gradients) = frame(starts)?;
         let deformation = (corners.iter().zip(&old_gradients))

@@ -7,6 +7,8 @@
 use super::bore::Bore;
 use super::carried::Carried;
 use super::carriers::{SliderName, in_surface};
+use super::direction::PERPENDICULAR;
+use super::ellipse::Ellipse;
 use super::facet_sums::{Row, Sums, add_point};
 use super::return_mapping::{Slider, Stick, Traction};
 use super::step::Sliding;
@@ -42,7 +44,9 @@ pub(crate) struct SlipFacet<const D: usize> {
     pub(crate) normal: Vector<D>,
     /// Area for which it stands.
     pub(crate) area: f64,
-    pub(crate) slider: Slider,
+    pub(crate) slider: Slider<D>,
+    /// Whether its friction has a direction that is perpendicular to it.
+    pub(crate) is_undirected: bool,
     /// Elastic slip of side 0 against side 1 if nothing slides: what was carried into the step, and the slip of the step
     /// since it bears.
     pub(crate) trial: Vector<D>,
@@ -96,7 +100,8 @@ impl<const D: usize> SlipFacets<D> {
     /// Dissipated by facets that bore when the step began and do not now: they slid as the others, while their limit fell to nothing.
     fn left(&self, sliding: &Sliding<D>, bore: &Bore, is_found: impl Fn(bool, usize) -> bool) -> f64 {
         let slides = self.tractions().filter(|(_, _, traction)| traction.slides);
-        let slid: f64 = slides.map(|(facet, _, t)| facet.area * (facet.trial - t.elastic).norm()).sum();
+        let slid: f64 =
+            slides.map(|(facet, _, t)| facet.area * (facet.trial - t.elastic).norm() * facet.part_of_limit(&t)).sum();
         let is_known = sliding.is_by_depth && slid > 0.0;
         let (Stick::Spring(_), Some(bearings), true) = (sliding.stick, sliding.bearings, is_known) else { return 0.0 };
         let of_pair = bearings.range((self.partners, false, 0)..=(self.partners, true, usize::MAX));
@@ -113,6 +118,7 @@ impl<const D: usize> SlipFacets<D> {
         let bearing = sums.bearing(pair, (of_b, facet));
         let tangential = |x: Vector<D>| x - normal * normal.dot(&x);
         let limit = sums.limit / sums.area;
+        let (ellipse, is_undirected) = ellipse_of(sliding, &normal, &(sums.direction / sums.area));
         let (touch, before) = match sliding.stick {
             Stick::Spring(_) => {
                 let name = (pair.partners, of_b, in_surface);
@@ -142,7 +148,8 @@ impl<const D: usize> SlipFacets<D> {
             position,
             normal,
             area: sums.area,
-            slider: Slider { stick: sliding.stick, limit },
+            slider: Slider { stick: sliding.stick, limit, ellipse },
+            is_undirected,
             trial: before.slip * before.part + tangential(slip * touch.counted),
             counted: touch.counted,
             by_approach: tangential(slip * touch.by_approach),
@@ -175,7 +182,37 @@ impl<const D: usize> SlipFacets<D> {
     }
 }
 
+/// Limits by direction on a facet with this normal, and whether its friction has a direction that is perpendicular to it: all is across it
+/// then. `direction` is the mean of unit vectors at its points.
+fn ellipse_of<const D: usize>(
+    sliding: &Sliding<D>,
+    normal: &Vector<D>,
+    direction: &Vector<D>,
+) -> (Option<Ellipse<D>>, bool) {
+    // It is refused in 2D, where there is one direction only.
+    let Some(orthotropy) = sliding.orthotropy.as_ref().filter(|_| D == 3) else { return (None, false) };
+    let within = direction - normal * normal.dot(direction);
+    if let Some(along) = within.try_normalize(PERPENDICULAR) {
+        return (Some(Ellipse::new(along, normal, orthotropy.factors)), false);
+    }
+    let [_, across] = orthotropy.factors;
+    let axis = (0..D).min_by(|&i, &j| normal[i].abs().total_cmp(&normal[j].abs())).unwrap_or(0);
+    let axis = Vector::from_fn(|i, _| f64::from(u8::from(i == axis)));
+    let any = (axis - normal * normal.dot(&axis)).normalize();
+    (Some(Ellipse::new(any, normal, [across; 2])), true)
+}
+
 impl<const D: usize> SlipFacet<D> {
+    /// Traction against the slip of what slides, by the largest limit there is in any direction.
+    pub(super) fn part_of_limit(&self, traction: &Traction<D>) -> f64 {
+        if self.slider.ellipse.is_none() {
+            return 1.0;
+        }
+        let along = self.trial - traction.elastic;
+        let work = self.slider.limit * along.norm();
+        if work > 0.0 { (traction.value.dot(&along) / work).max(0.0) } else { 0.0 }
+    }
+
     /// How far it has slid at the end of the step since it rested, as far as that matters.
     fn slid(&self, traction: &Traction<D>) -> f64 {
         if traction.slides && self.weakening_slip > 0.0 {

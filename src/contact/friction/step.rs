@@ -4,6 +4,7 @@ use super::carried::{CarriedSlip, released};
 use super::carriers::SliderName;
 use super::moved_out::{Material, MovedOut};
 use super::options::Friction;
+use super::orthotropic::Orthotropy;
 use super::past_points::PastPoints;
 use super::return_mapping::Stick;
 use super::touch::{Bearing, FacetBearings};
@@ -72,6 +73,8 @@ impl<const D: usize> Step<D> {
 /// How a pair slides.
 pub(crate) struct Sliding<'a, const D: usize> {
     pub(crate) friction: Friction,
+    /// Where that is not the same in all directions; `friction` is then the largest.
+    pub(crate) orthotropy: Option<Orthotropy>,
     pub(crate) stick: Stick,
     pub(crate) step: &'a Step<D>,
     /// Where the material lies now; `None` where the surfaces of the pair do.

@@ -22,6 +22,16 @@ pub(crate) struct Tractions<const D: usize> {
     pub(crate) totals: FrictionTotals,
     /// The part of the forces on nodes that grows with the limits, times these; empty unless it is asked for.
     pub(crate) limited: Vec<(u32, Vector<D>)>,
+    pub(crate) undirected: Option<Undirected>,
+}
+
+/// Facets to which the direction of their friction is perpendicular.
+#[derive(Clone, Copy)]
+pub(crate) struct Undirected {
+    /// That of them with the largest limit, by its index within the surface.
+    pub(crate) facet: usize,
+    /// Their part of the limit of the pair.
+    pub(crate) part: f64,
 }
 
 /// What friction does in sum; all zero without.
@@ -75,6 +85,7 @@ impl<const D: usize> Tractions<D> {
             tangent: Tangent { blocks: Vec::new(), rank_one: Vec::new() },
             totals: FrictionTotals { dissipated: energy, ..FrictionTotals::default() },
             limited: Vec::new(),
+            undirected: None,
         }
     }
 
@@ -113,7 +124,8 @@ impl<const D: usize> Tractions<D> {
         totals.dissipated += slipping.released;
         let (nodes, of_b, forces) = sums.into_nodes();
         let tangent = Tangent { blocks: blocks.into_blocks(), rank_one: Vec::new() };
-        Self { partners: slipping.partners, nodes, of_b, forces, on_obstacle, tangent, totals, limited: Vec::new() }
+        let (partners, undirected) = (slipping.partners, slipping.undirected());
+        Self { partners, nodes, of_b, forces, on_obstacle, tangent, totals, limited: Vec::new(), undirected }
     }
 
     /// The same with what grows with the limits.
@@ -125,6 +137,16 @@ impl<const D: usize> Tractions<D> {
             }
         }
         self
+    }
+}
+
+impl<const D: usize> SlipFacets<D> {
+    fn undirected(&self) -> Option<Undirected> {
+        let limit = |facet: &SlipFacet<D>| facet.area * facet.slider.limit;
+        let found = || self.facets.iter().filter(|facet| facet.is_undirected);
+        let facet = found().max_by(|one, other| limit(one).total_cmp(&limit(other)))?.facet;
+        let all: f64 = self.facets.iter().map(limit).sum();
+        Some(Undirected { facet, part: found().map(limit).sum::<f64>() / all })
     }
 }
 

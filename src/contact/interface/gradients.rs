@@ -18,7 +18,7 @@ impl<const D: usize> Contact<D> {
     /// frictional unless friction is frozen. By the reference: with axisymmetry, friction, curved faces,
     /// hanging nodes, ranks, and of forces with a gap offset between bodies. By stiffness and gap offset: of frictional forces.
     /// By gap offsets: of pairs other than bodies with half-spaces. By the coefficient of friction: where it is 0, and with static
-    /// friction, cohesion or a shear limit. By rotations: with the law `fiber`.
+    /// friction, cohesion or a shear limit, or another coefficient across a direction. By rotations: with the law `fiber`.
     pub fn vjp(
         &self,
         coords: &[[f64; D]],

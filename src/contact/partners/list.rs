@@ -7,7 +7,7 @@ use super::pair_options::PairOptions;
 use super::pair_table::PairTable;
 use super::parallel::Parallel;
 use crate::Error;
-use crate::contact::friction::Friction;
+use crate::contact::friction::{Friction, Orthotropy};
 use crate::contact::laws::{EnergyLaw, PairLaw};
 use crate::contact::method::{Method, Options};
 use crate::geometry::Pose;
@@ -164,6 +164,11 @@ impl<const D: usize> Partners<D> {
     /// Whether a pair adds to results.
     pub(crate) fn has(&self, pair: &[Partner; 2], options: &Options) -> bool {
         self.table.has(pair, pair[0] != pair[1] || options.self_contact)
+    }
+
+    /// How its limits are by direction, where they are not the same in all.
+    pub(crate) fn orthotropy_of(&self, pair: &[Partner; 2], options: &Options) -> Option<Orthotropy> {
+        self.table.orthotropy(pair, options.friction)
     }
 
     /// Whether any pair has friction.

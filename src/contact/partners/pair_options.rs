@@ -1,6 +1,6 @@
 //! Options of a single pair of partners.
 
-use crate::contact::friction::{Friction, StaticFriction};
+use crate::contact::friction::{Friction, OrthotropicFriction, Orthotropy, StaticFriction};
 use crate::contact::laws::EnergyLaw;
 use crate::interfaces::Cohesive;
 
@@ -18,6 +18,8 @@ pub struct PairOptions {
     pub friction_coefficient: Option<f64>,
     /// Friction of the pair at rest; `None`: that of the options, or none where the pair has a coefficient of its own.
     pub static_friction: Option<StaticFriction>,
+    /// Another coefficient across a direction; `None`: the same in all directions. In 3D, between a body and another body or an obstacle.
+    pub orthotropic: Option<OrthotropicFriction>,
     /// Distance at which contact begins, in length, 0 by default. Penetration, gap and pressure are counted from there,
     /// also in weighted gaps.
     ///
@@ -77,12 +79,23 @@ pub enum Interface {
 }
 
 impl PairOptions {
-    /// The friction of the pair, beside that of the options.
+    /// The friction of the pair, beside that of the options; the largest of all directions.
     pub(crate) fn friction(&self, of_contact: Friction) -> Friction {
         if self.interface == Interface::Rough {
             let (coefficient, shear_limit) = (f64::INFINITY, f64::INFINITY);
             return Friction { coefficient, shear_limit, at_rest: None, ..of_contact };
         }
+        let along = self.friction_along(of_contact);
+        self.orthotropic.map_or(along, |own| own.largest(along))
+    }
+
+    /// How the limits of that are by direction, where they are not the same in all.
+    pub(crate) fn orthotropy(&self, of_contact: Friction) -> Option<Orthotropy> {
+        Some(self.orthotropic?.shape(self.friction_along(of_contact)))
+    }
+
+    /// The friction along the direction, if it has one.
+    pub(super) fn friction_along(&self, of_contact: Friction) -> Friction {
         let own = self.friction_coefficient;
         Friction {
             coefficient: own.unwrap_or(of_contact.coefficient),
@@ -152,7 +165,8 @@ impl PairOptions {
 
     /// Those of the same pair with its partners in the other order.
     pub(crate) fn swapped(self) -> Self {
-        Self { surfaces: self.surfaces.map(|[a, b]| [b, a]), ..self }
+        let orthotropic = self.orthotropic.map(OrthotropicFriction::swapped);
+        Self { surfaces: self.surfaces.map(|[a, b]| [b, a]), orthotropic, ..self }
     }
 
     /// Whether the two press and rub somewhere: they are neither left out nor tied, nor held together by an interface that breaks, unless
@@ -175,5 +189,10 @@ impl PairOptions {
     /// A pair with a coefficient of friction of its own.
     pub fn with_friction(coefficient: f64) -> Self {
         Self { friction_coefficient: Some(coefficient), ..Self::default() }
+    }
+
+    /// A pair with a coefficient of friction of its own along a direction, and another across it.
+    pub fn with_orthotropic_friction(coefficient: f64, across: OrthotropicFriction) -> Self {
+        Self { orthotropic: Some(across), ..Self::with_friction(coefficient) }
     }
 }

@@ -4,7 +4,7 @@ use super::pair_options::{Interface, PairOptions};
 use super::parallel::Parallel;
 use super::rigid::Rigid;
 use crate::Error;
-use crate::contact::friction::Friction;
+use crate::contact::friction::{Friction, Orthotropy};
 use crate::contact::laws::{EnergyLaw, PairLaw};
 use crate::contact::method::{Options, pair_law};
 use crate::overlap::Partner;
@@ -35,7 +35,7 @@ impl<const D: usize> PairTable<D> {
     ) -> Result<(), Error> {
         match options {
             Some(options) => {
-                check(&pair, &options, defaults)?;
+                check::<D>(&pair, &options, defaults)?;
                 let law = options.law.as_ref().map(pair_law).transpose()?;
                 self.0.insert(pair, Entry { options, law, parallel });
             }
@@ -114,6 +114,11 @@ impl<const D: usize> PairTable<D> {
         self.0.get(pair).map_or(of_contact, |entry| entry.options.friction(of_contact))
     }
 
+    /// How the limits of friction of the pair are by direction, where they are not the same in all.
+    pub(crate) fn orthotropy(&self, pair: &[Partner; 2], of_contact: Friction) -> Option<Orthotropy> {
+        self.0.get(pair)?.options.orthotropy(of_contact)
+    }
+
     /// Whether any pair has a coefficient of friction of its own that is not zero.
     pub(crate) fn has_friction(&self) -> bool {
         self.0.values().any(|entry| entry.options.friction(Friction::default()).is_active())
@@ -121,11 +126,11 @@ impl<const D: usize> PairTable<D> {
 
     /// Whether all entries are allowed beside these options.
     pub(crate) fn check(&self, defaults: &Options) -> Result<(), Error> {
-        self.0.iter().try_for_each(|(pair, entry)| check(pair, &entry.options, defaults))
+        self.0.iter().try_for_each(|(pair, entry)| check::<D>(pair, &entry.options, defaults))
     }
 }
 
-fn check(pair: &[Partner; 2], options: &PairOptions, defaults: &Options) -> Result<(), Error> {
+fn check<const D: usize>(pair: &[Partner; 2], options: &PairOptions, defaults: &Options) -> Result<(), Error> {
     let own = options.law.map_or(Ok(()), |law| law.check());
     let (law, friction) = (options.law.unwrap_or(defaults.law), options.friction(defaults.friction));
     let side = |partner| match partner {
@@ -135,10 +140,28 @@ fn check(pair: &[Partner; 2], options: &PairOptions, defaults: &Options) -> Resu
     let of_pair = |cause| Error::OfPair { sides: pair.map(side), cause: Box::new(cause) };
     // What has no effect comes first, whatever its value.
     check_interface(pair, options, &law)
+        .and_then(|()| check_orthotropic::<D>(pair, options, defaults))
         .and(own)
         .and_then(|()| Options { law, friction, ..*defaults }.check())
         .and_then(|()| check_offset(pair, options, law.needs_depth()))
         .map_err(of_pair)
+}
+
+/// What cannot be beside another coefficient across a direction.
+fn check_orthotropic<const D: usize>(
+    pair: &[Partner; 2],
+    options: &PairOptions,
+    defaults: &Options,
+) -> Result<(), Error> {
+    let Some(orthotropic) = options.orthotropic else { return Ok(()) };
+    let what = match pair {
+        _ if D == 2 => "a transverse_coefficient in 2D, where bodies slide along one direction only",
+        [a, b] if a == b => {
+            "a transverse_coefficient of a body with itself, of which either side might have the direction"
+        }
+        _ => return orthotropic.check(&options.friction_along(defaults.friction)),
+    };
+    Err(Error::Unsupported { what })
 }
 
 fn check_offset(pair: &[Partner; 2], options: &PairOptions, has_depth: bool) -> Result<(), Error> {
@@ -155,7 +178,8 @@ fn check_offset(pair: &[Partner; 2], options: &PairOptions, has_depth: bool) -> 
 
 /// What a pair cannot have beside its interface.
 fn check_interface(pair: &[Partner; 2], options: &PairOptions, law: &EnergyLaw) -> Result<(), Error> {
-    let rubs = options.friction_coefficient.is_some() || options.static_friction.is_some();
+    let rubs =
+        options.friction_coefficient.is_some() || options.static_friction.is_some() || options.orthotropic.is_some();
     let interface = options.interface;
     let of = |of_tie, of_sliding, of_cohesive| match interface {
         Interface::Tied { .. } => of_tie,

@@ -132,6 +132,18 @@ pub enum Warning {
         /// The reach, and how far apart what is left out is at most.
         distances: [f64; 2],
     },
+    /// Facets in contact are perpendicular to the direction along which the friction of the pair has a coefficient of its own: they have
+    /// that across it, whatever their slip. They bear more than a hundredth of the friction.
+    NoFrictionDirection {
+        /// First body of the pair.
+        a: Partner,
+        /// Second side of the pair.
+        b: Partner,
+        /// That of them with the largest limit, by its place in `Contact::boundary_facets`.
+        facet: usize,
+        /// Their part of the limit of the pair's friction.
+        part: f64,
+    },
     /// One body lies inside the other: the overlap has no boundary on the other and does not push it out.
     SwallowedBody {
         /// The body inside.
@@ -169,11 +181,13 @@ impl fmt::Display for Smoothing {
 const NAMED: usize = 8;
 
 impl Warning {
-    /// The same with its nodes counted from `base`; bodies and obstacles stay.
+    /// The same with its nodes and facets counted from `base`; bodies and obstacles stay.
     #[must_use]
     pub fn counted_from(mut self, base: usize) -> Self {
-        if let Warning::CoincidingFaces { nodes, .. } = &mut self {
-            nodes.iter_mut().for_each(|node| *node += base);
+        match &mut self {
+            Warning::CoincidingFaces { nodes, .. } => nodes.iter_mut().for_each(|node| *node += base),
+            Warning::NoFrictionDirection { facet, .. } => *facet += base,
+            _ => {}
         }
         self
     }
@@ -238,6 +252,11 @@ impl fmt::Display for Warning {
                 f,
                 "{a} and {b} are tied over an area of {tied:.3e}; {left_out:.3e} more of the same faces lies farther apart than the reach of \
                  {reach:.3e}, up to {farthest:.3e}, and is not tied: give a larger reach if it shall be"
+            ),
+            Warning::NoFrictionDirection { a, b, facet, part } => write!(
+                f,
+                "{a} and {b}: the direction of their friction is perpendicular to facets that bear {part:.3} of it, facet {facet} the most: \
+                 there the transverse coefficient holds for all slip"
             ),
             Warning::SwallowedBody { inner, outer } => write!(f, "{inner} lies inside {outer} and is not pushed out"),
         }

@@ -151,7 +151,7 @@ impl From<PairOptions> for fmc_pair_options {
 
 impl fmc_pair_options {
     /// The options of the crate, which checks the numbers.
-    fn to_pair_options(self) -> Result<PairOptions, Failure> {
+    pub(super) fn to_pair_options(self) -> Result<PairOptions, Failure> {
         check_struct::<Self>("fmc_pair_options", self.struct_size, self.reserved)?;
         let coefficient = self.friction_coefficient;
         let friction_coefficient = (coefficient != f64::from(FMC_PAIR_FRICTION_OF_CONTEXT)).then_some(coefficient);
@@ -163,6 +163,7 @@ impl fmc_pair_options {
             gap_offset: self.gap_offset,
             interface: self.interface_fields().interface()?,
             surfaces: named_surfaces([self.surface_a, self.surface_b])?,
+            orthotropic: None,
         })
     }
 
@@ -221,7 +222,8 @@ pub unsafe extern "C" fn fmc_pair_options_init(options: *mut fmc_pair_options) -
 }
 
 /// Sets the options of a pair: a body with another, with itself, or with an obstacle, in either order. They apply from
-/// the next evaluation on; `options` NULL: the pair follows the context's again, as every pair does at first.
+/// the next evaluation on; `options` NULL: the pair follows the context's again, as every pair does at first. Friction of the pair is then
+/// the same in all directions; for another, call `fmc_context_set_orthotropic_pair` instead.
 ///
 /// `a_kind` and `b_kind` are values of `fmc_partner`; `a` and `b` count bodies as `fmc_context_body_resultant` and obstacles as
 /// `fmc_context_obstacle_resultant`. For a body with itself these options decide in place of the context's `self_contact` whether
@@ -256,7 +258,8 @@ pub unsafe extern "C" fn fmc_context_set_pair_options(
 }
 
 /// The options of a pair, named as in `fmc_context_set_pair_options`. Of a pair without options of its own, those that
-/// hold for it: for a body with itself `excluded` is 1 unless the context's `self_contact` is on.
+/// hold for it: for a body with itself `excluded` is 1 unless the context's `self_contact` is on. Another coefficient of friction across a
+/// direction is told by `fmc_context_orthotropic_pair`.
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BODY_OUT_OF_RANGE`, `FMC_ERROR_OBSTACLE_OUT_OF_RANGE`,
 /// `FMC_ERROR_OBSTACLE_REMOVED`, `FMC_ERROR_BAD_VALUE` for an unknown kind, `FMC_ERROR_UNSUPPORTED` for two
@@ -327,6 +330,7 @@ mod tests {
                         gap_offset,
                         interface,
                         surfaces,
+                        orthotropic: None,
                     };
                     assert_eq!(fmc_pair_options::from(options).to_pair_options().unwrap(), options);
                 }
