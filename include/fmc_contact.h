@@ -993,13 +993,37 @@ typedef struct {
   uint64_t reserved[3];
 } fmc_pair_options;
 
+// Friction of a pair that has its coefficient along a direction only, as a surface with machining marks, a grain or fibres.
+// `fmc_orthotropic_friction_init` sets all of it.
+//
+// With the coefficient of friction m1 of the pair, tractions (t1, t2) along the direction and across it lie in the ellipse
+// sqrt((t1/m1)^2 + (t2/m2)^2) <= p. Slip is that which dissipates most: normal to the ellipse, mostly not along the traction. With a
+// `static_coefficient` both limits are larger by the same factor.
+typedef struct {
+  // Set by `fmc_orthotropic_friction_init`, so that a struct that was not initialised is recognised.
+  size_t struct_size;
+  // Coefficient m2 across the direction, at least 0 and finite. Default 0.
+  double transverse_coefficient;
+  // The direction, of any length but 0 and of either sign: that of a body without deformation, that of an obstacle in its own frame. It is
+  // projected into the plane of each facet there, and goes along as the facet deforms and turns. A facet to which it is perpendicular, up
+  // to 0.06 degrees, has the transverse coefficient for all slip, and `FMC_WARNING_NO_FRICTION_DIRECTION` tells of it. Default 0: none.
+  double direction[3];
+  // To which of the two the direction belongs, in the order of the call: 0, the default, to `a`; 1 to `b`.
+  int32_t direction_of;
+  // Zero.
+  int32_t unused;
+  // Zero. Room for options of later versions.
+  uint64_t reserved[4];
+} fmc_orthotropic_friction;
+
 // Sets the options of a pair to what it has without options of its own: the law of the context, not left out.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`. Threads: any, on different structs.
 fmc_status fmc_pair_options_init(fmc_pair_options *options);
 
 // Sets the options of a pair: a body with another, with itself, or with an obstacle, in either order. They apply from
-// the next evaluation on; `options` NULL: the pair follows the context's again, as every pair does at first.
+// the next evaluation on; `options` NULL: the pair follows the context's again, as every pair does at first. Friction of the pair is then
+// the same in all directions; for another, call `fmc_context_set_orthotropic_pair` instead.
 //
 // `a_kind` and `b_kind` are values of `fmc_partner`; `a` and `b` count bodies as `fmc_context_body_resultant` and obstacles as
 // `fmc_context_obstacle_resultant`. For a body with itself these options decide in place of the context's `self_contact` whether
@@ -1020,7 +1044,8 @@ fmc_status fmc_context_set_pair_options(fmc_context *context,
                                         const fmc_pair_options *options);
 
 // The options of a pair, named as in `fmc_context_set_pair_options`. Of a pair without options of its own, those that
-// hold for it: for a body with itself `excluded` is 1 unless the context's `self_contact` is on.
+// hold for it: for a body with itself `excluded` is 1 unless the context's `self_contact` is on. Another coefficient of friction across a
+// direction is told by `fmc_context_orthotropic_pair`.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BODY_OUT_OF_RANGE`, `FMC_ERROR_OBSTACLE_OUT_OF_RANGE`,
 // `FMC_ERROR_OBSTACLE_REMOVED`, `FMC_ERROR_BAD_VALUE` for an unknown kind, `FMC_ERROR_UNSUPPORTED` for two
@@ -1031,6 +1056,40 @@ fmc_status fmc_context_pair_options(const fmc_context *context,
                                     int32_t b_kind,
                                     size_t b,
                                     fmc_pair_options *options);
+
+// Sets friction to what `fmc_context_orthotropic_pair` tells of a pair whose friction is the same in all directions.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`. Threads: any, on different structs.
+fmc_status fmc_orthotropic_friction_init(fmc_orthotropic_friction *friction);
+
+// Sets the options of a pair as `fmc_context_set_pair_options` does, with another coefficient of friction across a direction. In 3D, of two
+// bodies or of a body and an obstacle. `fmc_context_set_pair_options` takes it back.
+//
+// Errors: those of `fmc_context_set_pair_options`; `FMC_ERROR_NOT_POSITIVE` for a coefficient that is negative or not finite, an
+// entry of the direction that is not finite, which the text names, and a direction of length 0; `FMC_ERROR_BAD_VALUE` for another `direction_of` than 0
+// and 1; `FMC_ERROR_UNSUPPORTED` in 2D, for a body with itself, for a direction of a body without cells, in a mesh in parts, beside an infinite
+// coefficient, a cohesion or a shear limit, and for a `static_coefficient` without a `friction_coefficient`. What was set before then
+// stays. Threads: one call at a time on a context.
+fmc_status fmc_context_set_orthotropic_pair(fmc_context *context,
+                                            int32_t a_kind,
+                                            size_t a,
+                                            int32_t b_kind,
+                                            size_t b,
+                                            const fmc_pair_options *options,
+                                            const fmc_orthotropic_friction *friction);
+
+// The coefficient of friction of a pair across a direction, as `fmc_context_set_orthotropic_pair` has set it, with `direction_of` in the order
+// of this call. Of a pair whose friction is the same in all directions the direction is 0.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BODY_OUT_OF_RANGE`, `FMC_ERROR_OBSTACLE_OUT_OF_RANGE`,
+// `FMC_ERROR_OBSTACLE_REMOVED`, `FMC_ERROR_BAD_VALUE` for an unknown kind, `FMC_ERROR_UNSUPPORTED` for two
+// obstacles, `FMC_ERROR_BUSY`. Threads: several at once on one context, as long as no call changes it.
+fmc_status fmc_context_orthotropic_pair(const fmc_context *context,
+                                        int32_t a_kind,
+                                        size_t a,
+                                        int32_t b_kind,
+                                        size_t b,
+                                        fmc_orthotropic_friction *friction);
 
 // ---- Evaluate: forces and what belongs to them -----------------------------------------------------------
 
@@ -1087,6 +1146,9 @@ typedef enum {
   // Faces of bodies that are tied lie in part farther apart than the reach, as those of coarse round bodies, and are tied in part only;
   // the text gives areas and distances. A larger `reach` of the pair ties them.
   FMC_WARNING_TIED_IN_PART = 12,
+  // Facets in contact are perpendicular to the direction along which the friction of the pair has a coefficient of its own; the text
+  // gives one of them, counted from `index_base`, and their part of the friction. The transverse coefficient holds there for all slip.
+  FMC_WARNING_NO_FRICTION_DIRECTION = 13,
 } fmc_warning;
 
 // Results of an evaluation other than the forces. Units follow from the coordinates and the stiffness: with m and Pa,

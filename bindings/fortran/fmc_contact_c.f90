@@ -159,6 +159,7 @@ module fmc_contact_c
   integer(c_int32_t), parameter :: FMC_WARNING_COARSE_FACES = 10
   integer(c_int32_t), parameter :: FMC_WARNING_UNUSED_SMOOTHING = 11
   integer(c_int32_t), parameter :: FMC_WARNING_TIED_IN_PART = 12
+  integer(c_int32_t), parameter :: FMC_WARNING_NO_FRICTION_DIRECTION = 13
   integer(c_int32_t), parameter :: FMC_REQUEST_FORCES = 0
   integer(c_int32_t), parameter :: FMC_REQUEST_PRODUCT = 1
   integer(c_int32_t), parameter :: FMC_REQUEST_DIAGONAL = 2
@@ -301,6 +302,15 @@ module fmc_contact_c
     integer(c_int32_t) :: surface_a
     integer(c_int32_t) :: surface_b
     integer(c_int64_t) :: reserved(3)
+  end type
+
+  type, bind(c) :: fmc_orthotropic_friction
+    integer(c_size_t) :: struct_size
+    real(c_double) :: transverse_coefficient
+    real(c_double) :: direction(3)
+    integer(c_int32_t) :: direction_of
+    integer(c_int32_t) :: unused
+    integer(c_int64_t) :: reserved(4)
   end type
 
   type, bind(c) :: fmc_result
@@ -978,6 +988,33 @@ module fmc_contact_c
       integer(c_size_t), value :: b
       type(fmc_pair_options), intent(inout), optional :: options
       integer(c_int32_t) :: fmc_context_pair_options
+    end function
+    function fmc_orthotropic_friction_init(friction) bind(c)
+      import
+      type(fmc_orthotropic_friction), intent(inout), optional :: friction
+      integer(c_int32_t) :: fmc_orthotropic_friction_init
+    end function
+    function fmc_context_set_orthotropic_pair(context, a_kind, a, b_kind, b, options, &
+        friction) bind(c)
+      import
+      type(c_ptr), value :: context
+      integer(c_int32_t), value :: a_kind
+      integer(c_size_t), value :: a
+      integer(c_int32_t), value :: b_kind
+      integer(c_size_t), value :: b
+      type(fmc_pair_options), intent(in), optional :: options
+      type(fmc_orthotropic_friction), intent(in), optional :: friction
+      integer(c_int32_t) :: fmc_context_set_orthotropic_pair
+    end function
+    function fmc_context_orthotropic_pair(context, a_kind, a, b_kind, b, friction) bind(c)
+      import
+      type(c_ptr), value :: context
+      integer(c_int32_t), value :: a_kind
+      integer(c_size_t), value :: a
+      integer(c_int32_t), value :: b_kind
+      integer(c_size_t), value :: b
+      type(fmc_orthotropic_friction), intent(inout), optional :: friction
+      integer(c_int32_t) :: fmc_context_orthotropic_pair
     end function
     function fmc_context_evaluate(context, coords, forces, flags, result) bind(c)
       import

@@ -38,7 +38,15 @@ pub(crate) const SECTIONS: [Section; 20] = [
             "calls/obstacles/obstacle_list",
         ],
     ),
-    ("Options of single pairs", &["structs/partner", "calls/options/pair_interface", "calls/options/pair_options"]),
+    (
+        "Options of single pairs",
+        &[
+            "structs/partner",
+            "calls/options/pair_interface",
+            "calls/options/pair_options",
+            "calls/options/orthotropic_pair",
+        ],
+    ),
     (
         "Evaluate: forces and what belongs to them",
         &["structs/evaluation", "calls/evaluation/evaluate", "calls/results/getters"],

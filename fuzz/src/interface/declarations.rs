@@ -154,6 +154,7 @@ pub const FMC_WARNING_CURVED_FACES: i32 = 9;
 pub const FMC_WARNING_COARSE_FACES: i32 = 10;
 pub const FMC_WARNING_UNUSED_SMOOTHING: i32 = 11;
 pub const FMC_WARNING_TIED_IN_PART: i32 = 12;
+pub const FMC_WARNING_NO_FRICTION_DIRECTION: i32 = 13;
 pub const FMC_REQUEST_FORCES: i32 = 0;
 pub const FMC_REQUEST_PRODUCT: i32 = 1;
 pub const FMC_REQUEST_DIAGONAL: i32 = 2;
@@ -343,6 +344,17 @@ pub struct fmc_pair_options {
     pub surface_a: i32,
     pub surface_b: i32,
     pub reserved: [u64; 3],
+}
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct fmc_orthotropic_friction {
+    pub struct_size: usize,
+    pub transverse_coefficient: f64,
+    pub direction: [f64; 3],
+    pub direction_of: i32,
+    pub unused: i32,
+    pub reserved: [u64; 4],
 }
 
 #[repr(C)]
@@ -838,6 +850,9 @@ unsafe extern "C" {
     pub fn fmc_pair_options_init(options: *mut fmc_pair_options) -> fmc_status;
     pub fn fmc_context_set_pair_options(context: *mut fmc_context, a_kind: i32, a: usize, b_kind: i32, b: usize, options: *const fmc_pair_options) -> fmc_status;
     pub fn fmc_context_pair_options(context: *const fmc_context, a_kind: i32, a: usize, b_kind: i32, b: usize, options: *mut fmc_pair_options) -> fmc_status;
+    pub fn fmc_orthotropic_friction_init(friction: *mut fmc_orthotropic_friction) -> fmc_status;
+    pub fn fmc_context_set_orthotropic_pair(context: *mut fmc_context, a_kind: i32, a: usize, b_kind: i32, b: usize, options: *const fmc_pair_options, friction: *const fmc_orthotropic_friction) -> fmc_status;
+    pub fn fmc_context_orthotropic_pair(context: *const fmc_context, a_kind: i32, a: usize, b_kind: i32, b: usize, friction: *mut fmc_orthotropic_friction) -> fmc_status;
     pub fn fmc_context_evaluate(context: *mut fmc_context, coords: *const fmc_coords, forces: *const fmc_forces, flags: u32, result: *mut fmc_result) -> fmc_status;
     pub fn fmc_context_body_resultant(context: *const fmc_context, index: usize, body: *mut fmc_resultant) -> fmc_status;
     pub fn fmc_context_obstacle_resultant(context: *const fmc_context, index: usize, obstacle: *mut fmc_resultant) -> fmc_status;

@@ -154,6 +154,7 @@ FMC_WARNING_CURVED_FACES = 9
 FMC_WARNING_COARSE_FACES = 10
 FMC_WARNING_UNUSED_SMOOTHING = 11
 FMC_WARNING_TIED_IN_PART = 12
+FMC_WARNING_NO_FRICTION_DIRECTION = 13
 FMC_REQUEST_FORCES = 0
 FMC_REQUEST_PRODUCT = 1
 FMC_REQUEST_DIAGONAL = 2
@@ -313,6 +314,7 @@ FMC_WARNING: dict[int, str] = {
     10: "coarse_faces",
     11: "unused_smoothing",
     12: "tied_in_part",
+    13: "no_friction_direction",
 }
 
 FMC_EQUILIBRIUM_REQUEST_KIND: dict[int, str] = {

@@ -44,6 +44,7 @@ from ._structs import (
     fmc_multiplier,
     fmc_nodal_contact,
     fmc_options,
+    fmc_orthotropic_friction,
     fmc_pair_gradient,
     fmc_pair_options,
     fmc_pair_result,
@@ -120,6 +121,23 @@ FUNCTIONS: dict[str, tuple[Any, list[Any]]] = {
     "fmc_context_pair_options": (
         c_int32,
         [fmc_context, c_int32, c_size_t, c_int32, c_size_t, POINTER(fmc_pair_options)],
+    ),
+    "fmc_orthotropic_friction_init": (c_int32, [POINTER(fmc_orthotropic_friction)]),
+    "fmc_context_set_orthotropic_pair": (
+        c_int32,
+        [
+            fmc_context,
+            c_int32,
+            c_size_t,
+            c_int32,
+            c_size_t,
+            POINTER(fmc_pair_options),
+            POINTER(fmc_orthotropic_friction),
+        ],
+    ),
+    "fmc_context_orthotropic_pair": (
+        c_int32,
+        [fmc_context, c_int32, c_size_t, c_int32, c_size_t, POINTER(fmc_orthotropic_friction)],
     ),
     "fmc_context_evaluate": (
         c_int32,

@@ -191,6 +191,17 @@ class fmc_pair_options(Structure):
     ]
 
 
+class fmc_orthotropic_friction(Structure):
+    _fields_ = [
+        ("struct_size", c_size_t),
+        ("transverse_coefficient", c_double),
+        ("direction", c_double * 3),
+        ("direction_of", c_int32),
+        ("unused", c_int32),
+        ("reserved", c_uint64 * 4),
+    ]
+
+
 class fmc_result(Structure):
     _fields_ = [
         ("struct_size", c_size_t),
