@@ -23,8 +23,8 @@ module fmc_contact
   implicit none
   public
   ! Procedures of the type: their names remain the host's.
-  private :: from_cells, from_blocks, from_facets, take, free, set_options, set_pair_options, set_reference, &
-             set_interrupt, &
+  private :: from_cells, from_blocks, from_facets, take, free, set_options, set_pair_options, set_orthotropic_pair, &
+             set_reference, set_interrupt, &
              set_symmetry_planes, set_symmetry_nodes, set_surface_smoothing, set_basis, &
              evaluate, tangent, evaluate_tangent, stable_step, body, &
              obstacle, pair, warning, add_obstacle, add_half_space, add_polytope, &
@@ -39,7 +39,8 @@ module fmc_contact
     integer :: dim = 0
   contains
     procedure :: from_cells, from_blocks, from_facets, free
-    procedure :: set_options, set_pair_options, set_reference, set_symmetry_planes, set_symmetry_nodes, set_basis
+    procedure :: set_options, set_pair_options, set_orthotropic_pair
+    procedure :: set_reference, set_symmetry_planes, set_symmetry_nodes, set_basis
     procedure :: set_surface_smoothing
     procedure :: set_interrupt
     procedure :: evaluate, tangent, evaluate_tangent, stable_step
@@ -190,6 +191,18 @@ contains
     integer, intent(out), optional :: stat
     call checked(fmc_context_set_pair_options(self%handle, a_kind, int(a - 1, c_size_t), b_kind, &
                                               int(b - 1, c_size_t), options), stat)
+  end subroutine
+
+  ! The same with another coefficient of friction across a direction (fmc_orthotropic_friction_init).
+  subroutine set_orthotropic_pair(self, a_kind, a, b_kind, b, options, friction, stat)
+    class(contact), intent(inout) :: self
+    integer(c_int32_t), intent(in) :: a_kind, b_kind
+    integer, intent(in) :: a, b
+    type(fmc_pair_options), intent(in) :: options
+    type(fmc_orthotropic_friction), intent(in) :: friction
+    integer, intent(out), optional :: stat
+    call checked(fmc_context_set_orthotropic_pair(self%handle, a_kind, int(a - 1, c_size_t), b_kind, &
+                                                  int(b - 1, c_size_t), options, friction), stat)
   end subroutine
 
   ! Coordinates without deformation, from which the law `depth` has its depths (fmc_context_set_reference).

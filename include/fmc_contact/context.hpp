@@ -504,6 +504,10 @@ class Context : public AddsShapes<Context> {
   void set_pair_options(Partner a, Partner b, const PairOptions &options) {
     call(fmc_context_set_pair_options(get(), a.kind, a.index, b.kind, b.index, &options));
   }
+  // The same with another coefficient of friction across a direction.
+  void set_orthotropic_pair(Partner a, Partner b, const PairOptions &options, const OrthotropicFriction &friction) {
+    call(fmc_context_set_orthotropic_pair(get(), a.kind, a.index, b.kind, b.index, &options, &friction));
+  }
   // The pair follows the options of the context again.
   void clear_pair_options(Partner a, Partner b) {
     call(fmc_context_set_pair_options(get(), a.kind, a.index, b.kind, b.index, nullptr));
@@ -512,6 +516,12 @@ class Context : public AddsShapes<Context> {
     PairOptions options;
     check(fmc_context_pair_options(get(), a.kind, a.index, b.kind, b.index, &options));
     return options;
+  }
+  // Its direction is 0 where friction is the same in all directions.
+  OrthotropicFriction orthotropic_pair(Partner a, Partner b) const {
+    OrthotropicFriction friction;
+    check(fmc_context_orthotropic_pair(get(), a.kind, a.index, b.kind, b.index, &friction));
+    return friction;
   }
 
   // Adds a rigid obstacle; `add_ball` and the like make a shape and add it. Returned is the index, which an obstacle keeps when

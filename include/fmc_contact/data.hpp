@@ -27,6 +27,19 @@ struct PairOptions : fmc_pair_options {
   PairOptions() : fmc_pair_options() { check(fmc_pair_options_init(this)); }
 };
 
+// Another coefficient of friction across a direction: the fields of `fmc_orthotropic_friction`.
+struct OrthotropicFriction : fmc_orthotropic_friction {
+  OrthotropicFriction() : fmc_orthotropic_friction() { check(fmc_orthotropic_friction_init(this)); }
+
+  // Across a direction of 3 numbers that belongs to the first partner of the call, or to the second.
+  OrthotropicFriction(double across, View<const double> along, bool of_second = false) : OrthotropicFriction() {
+    if (along.size() != 3) detail::refuse(FMC_ERROR_LENGTH, "a direction has 3 numbers");
+    transverse_coefficient = across;
+    for (std::size_t axis = 0; axis < 3; ++axis) direction[axis] = along[axis];
+    direction_of = of_second ? 1 : 0;
+  }
+};
+
 // One side of a pair.
 struct Partner {
   fmc_partner kind;

@@ -121,6 +121,13 @@ void forces_and_getters() {
   own.interface_kind = FMC_INTERFACE_ROUGH;
   contact.set_pair_options(a, b, own);
   EXPECT(contact.pair_options(b, a).interface_kind == FMC_INTERFACE_ROUGH && contact.tie(0, 1).area == 0);
+  // Another coefficient across a direction is one of space.
+  own = fmc::PairOptions();
+  own.friction_coefficient = 0.5;
+  const Numbers direction = {1, 2, 3};
+  EXPECT(refused(FMC_ERROR_UNSUPPORTED, "2D", [&] { contact.set_orthotropic_pair(a, b, own, {0.2, direction}); }));
+  EXPECT(contact.orthotropic_pair(a, b).direction[0] == 0);
+  EXPECT(refused(FMC_ERROR_LENGTH, "3 numbers", [] { fmc::OrthotropicFriction(0.2, Numbers{1, 2}); }));
   contact.clear_pair_options(a, b);
   EXPECT(contact.tie(0, 1).area == 0 && contact.tie_nodes(coords).empty());
   EXPECT(contact.pair_options(a, b).excluded == 0 && contact.evaluate(coords).pair_count == 1);
@@ -573,6 +580,15 @@ void obstacles() {
   EXPECT(contact.obstacle_shape(floor).kind == FMC_SHAPE_HALF_SPACE && close(contact.evaluate(cube).volume, 0.1, 1e-4));
   contact.set_pose(floor, fmc::Pose::along({0, 0, 0.2}, {0, 0, 1}));
   EXPECT(close(contact.evaluate(cube).volume, 0.2, 1e-4) && contact.obstacles().size() == floor + 1);
+  // Another coefficient across a direction comes back in either order, and other options take it back.
+  const auto a = fmc::Partner::body(0), b = fmc::Partner::obstacle(floor);
+  fmc::PairOptions own;
+  own.friction_coefficient = 0.5;
+  contact.set_orthotropic_pair(a, b, own, {0.2, Numbers{1, 2, 3}, true});
+  EXPECT(contact.orthotropic_pair(a, b).direction_of == 1 && contact.orthotropic_pair(b, a).direction_of == 0);
+  EXPECT(contact.orthotropic_pair(a, b).direction[2] == 3 && contact.pair_options(a, b).friction_coefficient == 0.5);
+  contact.set_pair_options(a, b, fmc::PairOptions());
+  EXPECT(contact.orthotropic_pair(a, b).direction[2] == 0);
   EXPECT(refused(FMC_ERROR_BAD_POSE, "", [] { fmc::Pose::along({0, 0}, {0, 0}); }));
   EXPECT(refused(FMC_ERROR_LENGTH, "position", [] { fmc::Pose::along({0, 0}, {0, 0, 1}); }));
   EXPECT(refused(FMC_ERROR_NOT_POSITIVE, "", [&] { contact.add_ball(-1); }));

@@ -59,6 +59,9 @@ def test_a_stiffness_alone_takes_the_law_with_its_exponent() -> None:
         "shear_energy": 0.0,
         "mixed_mode_exponent": 0.0,
         "softening": "linear",
+        "transverse_coefficient": None,
+        "direction": None,
+        "direction_of": "a",
     }
     assert pressures(contact)[0, FLOOR] == pytest.approx(5 * K * 2 * 0.1)
 

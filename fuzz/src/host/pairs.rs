@@ -74,6 +74,51 @@ impl Host {
             } else {
                 assert_eq!(before, after);
             }
+            if from.law % 4 == 3 {
+                set_orthotropic_pair(context, from, [(a_kind, a), (b_kind, b)], &raw const options);
+            }
         }
+    }
+}
+
+/// The same options with a direction, which come back or leave what was there.
+///
+/// # Safety
+/// The context and the options are the host's own.
+unsafe fn set_orthotropic_pair(
+    context: *mut fmc_context,
+    from: &PairOptions,
+    [(a_kind, a), (b_kind, b)]: [(i32, usize); 2],
+    options: *const fmc_pair_options,
+) {
+    let none = fmc_orthotropic_friction {
+        struct_size: 77,
+        transverse_coefficient: 0.0,
+        direction: [0.0; 3],
+        direction_of: 77,
+        unused: 77,
+        reserved: [77; 4],
+    };
+    // SAFETY: structs of the header's size; all else the caller vouches for.
+    unsafe {
+        let found = || {
+            let mut found = none;
+            let status = checked(fmc_context_orthotropic_pair(context, a_kind, a, b_kind, b, &raw mut found));
+            assert!(status == OK || found == none, "an error writes outputs");
+            (status, found)
+        };
+        let before = found();
+        let mut friction = none;
+        assert_eq!(fmc_orthotropic_friction_init(&raw mut friction), OK);
+        friction.transverse_coefficient = from.stiffness.0;
+        friction.direction = [1.0, from.exponent.map_or(0.0, |x| x.0), from.gap_offset.map_or(0.0, |x| x.0)];
+        // Both sides, and one that is none.
+        friction.direction_of = i32::from(from.excluded % 3);
+        let given = &raw const friction;
+        let status =
+            checked(fmc_context_set_orthotropic_pair(context, a_kind, a, b_kind, b, options, given));
+        let after = found();
+        let is_kept = if status == OK { after == (OK, friction) } else { after == before };
+        assert!(is_kept, "{status:?}: {before:?} {after:?}");
     }
 }

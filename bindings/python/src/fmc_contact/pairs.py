@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from ctypes import byref
 from typing import Any, Optional, Union
 
@@ -17,13 +17,14 @@ from ._constants import (
 from ._core import Core
 from ._index import index_of, integer
 from ._library import check, library
-from ._structs import fmc_pair_options, fmc_tie
+from ._structs import fmc_orthotropic_friction, fmc_pair_options, fmc_tie
 from .ties import Tie
 
 Partner = Union[int, tuple[str, int]]
 """A body by its number among ``Result.bodies``, or ``("body", number)`` or ``("obstacle", number)``, as in
 ``Pair.a``."""
 
+_SIDES = ("a", "b")
 _OF_LAW = ("stiffness", "exponent", "smoothing_length")
 _OF_COHESIVE = ("normal_strength", "shear_strength", "normal_energy", "shear_energy", "mixed_mode_exponent")
 
@@ -45,6 +46,24 @@ def _two(surfaces: Any) -> tuple[int, int]:
     if not (0 <= a < 1 << 31 and 0 <= b < 1 << 31):
         raise ValueError(f"surfaces is {surfaces!r}, and add_surface has given no such number")
     return a, b
+
+
+def _orthotropic(across: Optional[float], direction: Optional[Sequence[float]], direction_of: str) -> Optional[fmc_orthotropic_friction]:
+    """Friction that is another across a direction, as it was asked for."""
+    if direction_of not in _SIDES:
+        raise ValueError(f"option 'direction_of' has no value '{direction_of}', expected a or b")
+    if across is None and direction is None:
+        return None
+    if across is None or direction is None:
+        raise ValueError("transverse_coefficient and direction go together")
+    numbers = [float(x) for x in direction]
+    if len(numbers) != 3:
+        raise ValueError(f"direction has {len(numbers)} numbers, and 3 are wanted")
+    friction = fmc_orthotropic_friction()
+    check(library.fmc_orthotropic_friction_init(byref(friction)))
+    friction.transverse_coefficient, friction.direction_of = float(across), _SIDES.index(direction_of)
+    friction.direction[:] = numbers
+    return friction
 
 
 class Pairs:
@@ -87,6 +106,9 @@ class Pairs:
         mixed_mode_exponent: float = 0.0,
         softening: str = "linear",
         surfaces: Optional[tuple[int, int]] = None,
+        transverse_coefficient: Optional[float] = None,
+        direction: Optional[Sequence[float]] = None,
+        direction_of: str = "a",
     ) -> None:
         """Gives a pair options of its own, in place of those it had.
 
@@ -143,6 +165,14 @@ class Pairs:
             With ``"tied"``, ``"cohesive"`` and ``"no_separation"``: the parts of the surfaces of ``a`` and ``b`` that belong together, as
             numbers of ``contact.mesh.add_surface``. All other faces of the two bodies are in contact, by the law ``"depth"``.
             Default: all faces may belong together, and no others are in contact.
+        transverse_coefficient : float, optional
+            Coefficient of friction across ``direction``, in 3D. Along it the coefficient is ``friction_coefficient``. Default: the
+            same in all directions.
+        direction : sequence of float, optional
+            The direction, with ``transverse_coefficient``: 3 numbers, of any length but 0. It is given for the body without deformation,
+            or in the frame of the obstacle, is projected into every facet, and goes along as the facet deforms and turns.
+        direction_of : str
+            To which partner the direction belongs: ``"a"`` or ``"b"``.
 
         Raises
         ------
@@ -195,7 +225,12 @@ class Pairs:
         for key, value in law_values.items():
             if value is not None:
                 setattr(own, key, float(value))
-        self._set(a, b, byref(own))
+        friction = _orthotropic(transverse_coefficient, direction, direction_of)
+        if friction is None:
+            return self._set(a, b, byref(own))
+        with self._core.handle:
+            call = library.fmc_context_set_orthotropic_pair
+            self._core.handle.call(call, *_named(a), *_named(b), byref(own), byref(friction))
 
     def reset(self, a: Partner, b: Partner) -> None:
         """Takes the options of a pair back: it follows the options of the contact again.
@@ -246,6 +281,8 @@ class Pairs:
         found = fmc_pair_options()
         with self._core.handle:
             self._core.handle.call(library.fmc_context_pair_options, *_named(a), *_named(b), byref(found))
+            friction = fmc_orthotropic_friction()
+            self._core.handle.call(library.fmc_context_orthotropic_pair, *_named(a), *_named(b), byref(friction))
         has_law = found.law != FMC_PAIR_LAW_OF_CONTEXT
         has_friction = found.friction_coefficient != FMC_PAIR_FRICTION_OF_CONTEXT
         options: dict[str, Any] = {"excluded": bool(found.excluded), "gap_offset": found.gap_offset}
@@ -258,6 +295,10 @@ class Pairs:
         options.update({key: getattr(found, key) if has_law else None for key in _OF_LAW})
         if options["interface"] == "cohesive":
             options["stiffness"] = found.stiffness
+        direction = tuple(friction.direction)
+        is_orthotropic = any(direction)
+        options["transverse_coefficient"] = friction.transverse_coefficient if is_orthotropic else None
+        options.update(direction=direction if is_orthotropic else None, direction_of=_SIDES[friction.direction_of])
         return options
 
     def tie(self, a: int, b: int) -> Tie:
