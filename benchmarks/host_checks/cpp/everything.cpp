@@ -583,6 +583,8 @@ void obstacles() {
   // Another coefficient across a direction comes back in either order, and other options take it back.
   const auto a = fmc::Partner::body(0), b = fmc::Partner::obstacle(floor);
   fmc::PairOptions own;
+  own.law = FMC_LAW_DEPTH;
+  own.stiffness = 1;
   own.friction_coefficient = 0.5;
   contact.set_orthotropic_pair(a, b, own, {0.2, Numbers{1, 2, 3}, true});
   EXPECT(contact.orthotropic_pair(a, b).direction_of == 1 && contact.orthotropic_pair(b, a).direction_of == 0);

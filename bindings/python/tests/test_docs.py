@@ -121,6 +121,16 @@ PIECES = {
             TWO_BLOCKS,
             "N, T = (contact.evaluate(x).bodies[1].force[axis] for axis in (1, 0))\nassert N > 10 and abs(abs(T) / N - 0.3) < 0.02, (N, T)",
         ),
+        # Pushed at 45°, the upper cube is held along (0.09, 0.01)/√0.1.
+        (
+            "import numpy as np\nfrom fmc_contact import Contact\n"
+            "cube = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [0, 0, 1], [1, 0, 1], [1, 1, 1], [0, 1, 1.0]])\n"
+            "x = np.concatenate([cube, 0.5 * cube + [0.2, 0.2, 0.999]])\n"
+            "contact = Contact(x, np.arange(16).reshape(2, 8), 'hexahedron', stiffness=1e3)\n",
+            "contact.friction.begin_step(x)\nx[8:, :2] += 0.1\nbody = contact.evaluate(x).bodies[1]\n"
+            "held = -np.array(body.friction[:2]) / (body.force[2] - body.friction[2])\n"
+            "assert np.allclose(held, np.array([0.09, 0.01]) / 0.1**0.5, atol=0.01), held",
+        ),
     ],
     "heat.md": [None],  # hosts/skfem/tests/test_docs.py
     "interfaces.md": [

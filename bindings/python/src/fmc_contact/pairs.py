@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from ctypes import byref
 from typing import Any, Optional, Union
 
@@ -48,7 +48,7 @@ def _two(surfaces: Any) -> tuple[int, int]:
     return a, b
 
 
-def _orthotropic(across: Optional[float], direction: Optional[Sequence[float]], direction_of: str) -> Optional[fmc_orthotropic_friction]:
+def _orthotropic(across: Optional[float], direction: Optional[Iterable[float]], direction_of: str) -> Optional[fmc_orthotropic_friction]:
     """Friction that is another across a direction, as it was asked for."""
     if direction_of not in _SIDES:
         raise ValueError(f"option 'direction_of' has no value '{direction_of}', expected a or b")
@@ -107,7 +107,7 @@ class Pairs:
         softening: str = "linear",
         surfaces: Optional[tuple[int, int]] = None,
         transverse_coefficient: Optional[float] = None,
-        direction: Optional[Sequence[float]] = None,
+        direction: Optional[Iterable[float]] = None,
         direction_of: str = "a",
     ) -> None:
         """Gives a pair options of its own, in place of those it had.
