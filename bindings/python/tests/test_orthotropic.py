@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from fmc_contact import Contact, errors
+from fmc_contact import Contact, errors, find_equilibrium
 from scenes import same_bits
 
 K, DEPTH, ALONG, ACROSS = 1e3, 1e-3, 0.5, 0.2
@@ -44,6 +44,25 @@ def test_the_force_is_normal_to_the_ellipse(direction_of: str, angle: float) -> 
     expected = -(mu**2 * part / np.linalg.norm(mu * part)) @ axes
     # Walls that are sunk in bear a thousandth.
     assert slid(contact, way) == pytest.approx(expected, abs=2 * DEPTH)
+
+
+@pytest.mark.parametrize("lagged", [False, True])
+def test_a_search_slides_it_by_the_ellipse(lagged: bool) -> None:
+    contact = block()
+    contact.pairs.set(0, FLOOR, friction_coefficient=ALONG, transverse_coefficient=ACROSS, direction=(1, 0, 0))
+    x = CUBE
+    contact.friction.begin_step(x)
+    # Springs pull every node along a line, and down.
+    for step in range(1, 6):
+        to = CUBE + [0.05 * step * np.cos(1.2), 0.05 * step * np.sin(1.2), -0.01]
+        x = find_equilibrium(lambda x, to=to: (K * (x - to).ravel(), K * np.eye(24)), contact, x, np.arange(24), lagged=lagged).x
+        contact.friction.commit_step(x)
+    body = contact.evaluate(x).bodies[0]
+    friction = np.array(body.friction)
+    mu, way = np.array([ALONG, ACROSS]), np.array([np.cos(1.2), np.sin(1.2)])
+    # It lags behind the springs, by less at every step; walls that are sunk in bear a part.
+    expected = -(mu**2) * way / np.linalg.norm(mu * way)
+    assert friction[:2] / (body.force[2] - friction[2]) == pytest.approx(expected, abs=0.01)
 
 
 def test_options_come_back_in_either_order_and_are_taken_back() -> None:
