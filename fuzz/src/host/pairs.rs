@@ -115,8 +115,7 @@ unsafe fn set_orthotropic_pair(
         // Both sides, and one that is none.
         friction.direction_of = i32::from(from.excluded % 3);
         let given = &raw const friction;
-        let status =
-            checked(fmc_context_set_orthotropic_pair(context, a_kind, a, b_kind, b, options, given));
+        let status = checked(fmc_context_set_orthotropic_pair(context, a_kind, a, b_kind, b, options, given));
         let after = found();
         let is_kept = if status == OK { after == (OK, friction) } else { after == before };
         assert!(is_kept, "{status:?}: {before:?} {after:?}");
