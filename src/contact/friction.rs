@@ -6,7 +6,7 @@
 //! q = k_T s      while that is below the limit μ p (stick), else the limit along s (slip)
 //! ```
 //!
-//! `options` · `return_mapping` (from slip to traction) · `orthotropic`, `ellipse`, `direction` (limits that are other ones along a direction) · `past_points`, `step` (the state when
+//! `options` · `return_mapping` (from slip to `traction`) · `orthotropic`, `ellipse`, `direction` (limits that are other ones along a direction) · `past_points`, `step` (the state when
 //! the step began) · `moved_out` (surfaces that multipliers move out) · `side_motion` (how one side moved since) · `touch` (the part of the step during which a facet bears) · `carried` (elastic slip from one step to the next) · `carriers` (the facets on which a point
 //! lies) · `energy` (what a facet has dissipated) · `bore` (limits before) · `facet_sums` (sums over the points of a facet) · `slip_facets` (the facets of a pair with their slip) ·
 //! `tractions` (forces, tangent and energies of a pair) · `frozen` (facets and pressure of an earlier iteration) ·
@@ -31,6 +31,7 @@ mod side_motion;
 mod slip_facets;
 mod step;
 mod touch;
+mod traction;
 mod tractions;
 
 pub(super) use at_points::{NodalFriction, PointFriction};
@@ -44,9 +45,9 @@ pub use options::{Friction, StaticFriction};
 pub use orthotropic::OrthotropicFriction;
 pub(super) use orthotropic::Orthotropy;
 pub(super) use past_points::PastPoints;
-pub(super) use return_mapping::Stick;
 pub(super) use slip_facets::SlipFacets;
 pub(super) use step::{Sliding, Step};
 pub(super) use touch::FacetBearings;
+pub(super) use traction::Stick;
 pub use tractions::FrictionTotals;
 pub(super) use tractions::{Tractions, Undirected};

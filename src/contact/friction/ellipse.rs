@@ -14,7 +14,7 @@
 //! ∂(a∘p)/∂x = w wᵀ / (p₂² (a₁² + λ) + p₁² (a₂² + λ))
 //! ```
 
-use super::return_mapping::{Stick, Traction};
+use super::traction::{Stick, Traction};
 use crate::geometry::Vector;
 use crate::geometry::facet_slopes::cross;
 use nalgebra::SMatrix;

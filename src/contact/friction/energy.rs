@@ -11,8 +11,8 @@
 //! so that stored and dissipated energy together are the work done, up to terms of second order in the step. What slides does so at the
 //! mean of the limit over the part of the step in which it slides.
 
-use super::return_mapping::{Stick, Traction};
 use super::slip_facets::{Before, SlipFacet};
+use super::traction::{Stick, Traction};
 
 impl<const D: usize> SlipFacet<D> {
     /// Energy taken out, by the area in contact now; never negative. The traction acts for the whole step, though of it only the part φ

@@ -2,8 +2,8 @@
 
 use super::carriers::SliderName;
 use super::past_points::PastPoints;
-use super::return_mapping::Stick;
 use super::slip_facets::SlipFacets;
+use super::traction::Stick;
 use crate::geometry::{Pose, Vector};
 use crate::overlap::Partner;
 

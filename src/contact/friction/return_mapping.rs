@@ -2,6 +2,7 @@
 
 use super::ellipse::Ellipse;
 use super::options::Friction;
+use super::traction::{Stick, Traction};
 use crate::geometry::Vector;
 use nalgebra::SMatrix;
 
@@ -13,34 +14,6 @@ pub(crate) struct Slider<const D: usize> {
     pub(crate) limit: f64,
     /// Where that is not the same in all directions; the limit is then the largest.
     pub(crate) ellipse: Option<Ellipse<D>>,
-}
-
-/// What resists the slip below the limit.
-#[derive(Clone, Copy, Debug)]
-pub(crate) enum Stick {
-    /// A spring with memory, of stiffness k_T.
-    Spring(f64),
-    /// Nothing that remembers: the traction grows with the slip of the step up to this slip.
-    Memoryless(f64),
-}
-
-/// What a slip leads to.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Traction<const D: usize> {
-    /// By which side 0 is held back: it acts on side 1.
-    pub(crate) value: Vector<D>,
-    /// Elastic slip that is left.
-    pub(crate) elastic: Vector<D>,
-    /// Whether it slides at the limit.
-    pub(crate) slides: bool,
-    /// Derivative of the traction by the slip.
-    pub(crate) stiffness: SMatrix<f64, D, D>,
-    /// And by the limit.
-    pub(crate) by_limit: Vector<D>,
-    /// Stored energy by area.
-    pub(crate) stored: f64,
-    /// Dissipated energy by area, never negative.
-    pub(crate) dissipated: f64,
 }
 
 impl Friction {

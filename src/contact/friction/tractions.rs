@@ -1,9 +1,9 @@
 //! The tractions of a pair, summed at its nodes.
 
 use super::facet_sums::Row;
-use super::return_mapping::Traction;
 use super::side_motion::Mover;
 use super::slip_facets::{SlipFacet, SlipFacets};
+use super::traction::Traction;
 use crate::contact::tangents::{Tangent, TangentPart};
 use crate::geometry::{Vector, moment};
 use crate::overlap::{BlockSum, NodeSums, Partner};
