@@ -112,7 +112,44 @@ def test_an_obstacle_moves_with_its_pose():
     contact.obstacles.set_pose(wall, Pose.along((0, 0.75), (0, -1)))
     assert contact.evaluate(SQUARE).volume == pytest.approx(0.25)
     contact.obstacles.set_pose(wall, None)
+    assert contact.evaluate(SQUARE).volume == pytest.approx(1)
+    contact.obstacles.set_pose(wall, Pose((0, 0), np.eye(2)))
     assert contact.evaluate(SQUARE).volume == pytest.approx(0)
+
+
+@pytest.mark.parametrize("dim", [2, 3])
+def test_a_pose_without_a_rotation_keeps_the_one_there_is(dim):
+    contact, down = body(dim, estimator="exact"), -np.eye(dim)[-1]
+    ceiling = contact.obstacles.add_half_space(0.9 * -down, down)
+    force = contact.evaluate(SQUARE if dim == 2 else CUBE).obstacles[ceiling].force
+    assert force[-1] > 0
+    at = np.r_[[5.0] * (dim - 1), 0.9]
+    for pose in (at, Pose(at), Pose(at, None), Pose(at, scale=1.0)):
+        contact.obstacles.set_pose(ceiling, pose)
+        assert contact.obstacles.get(ceiling).pose.rotation @ -down == pytest.approx(down, abs=1e-15)
+        found = contact.evaluate(SQUARE if dim == 2 else CUBE).obstacles[ceiling].force
+        # Of a plane that has moved along itself.
+        assert found == pytest.approx(force, rel=1e-12, abs=1e-12 * force[-1])
+
+
+def test_a_pose_keeps_what_it_does_not_give_and_no_more():
+    contact = body(2)
+    turn = [[0.6, -0.8], [0.8, 0.6]]
+    box = contact.obstacles.add_cuboid((1, 1), Pose((5, 5), turn, 2.0))
+    pose = lambda: repr(contact.obstacles.get(box).pose)
+    contact.obstacles.set_pose(box, (6, 6))
+    assert pose() == repr(Pose((6, 6), turn, 2.0))
+    contact.obstacles.set_pose(box, Pose((7, 7), scale=3.0))
+    assert pose() == repr(Pose((7, 7), turn, 3.0))
+    contact.obstacles.set_pose(box, Pose((8, 8), np.eye(2)))
+    assert pose() == repr(Pose((8, 8), np.eye(2), 3.0))
+    given = Pose((9, 9))
+    given.rotation, given.scale = turn, 1.0
+    contact.obstacles.set_pose(box, given)
+    assert pose() == repr(Pose((9, 9), turn, 1.0))
+    # An array that is no longer anyone's would take a rotation, and lose it.
+    with pytest.raises(ValueError, match="read-only"):
+        Pose((0, 0)).rotation[:] = turn
 
 
 def test_a_removed_obstacle_is_gone_and_the_others_keep_their_numbers():
@@ -151,7 +188,8 @@ def test_a_removed_obstacle_is_gone_and_the_others_keep_their_numbers():
 def test_poses_say_where_they_are():
     pose = Pose.along((1, 2, 3), (0, 1, 0), scale=2)
     assert pose.rotation @ [0, 0, 1] == pytest.approx([0, 1, 0]) and np.linalg.det(pose.rotation) == pytest.approx(1)
-    assert repr(Pose((1, 2))) == "Pose([1.0, 2.0], [[1.0, 0.0], [0.0, 1.0]], 1.0)"
+    assert repr(Pose((1, 2))) == "Pose([1.0, 2.0], None)" and repr(Pose((1, 2), scale=3)) == "Pose([1.0, 2.0], None, 3.0)"
+    assert repr(Pose((1, 2), np.eye(2), 1)) == "Pose([1.0, 2.0], [[1.0, 0.0], [0.0, 1.0]], 1.0)"
     with pytest.raises(ValueError, match="position has shape"):
         Pose(0.0)
     with pytest.raises(ValueError, match="rotation has shape"):

@@ -446,14 +446,17 @@ class Obstacles:
         return self.add(Shape("signed_distance", signed_distance=function), pose)
 
     def set_pose(self, obstacle: int, pose: Placement) -> None:
-        """Moves an obstacle.
+        """Moves an obstacle. It keeps the rotation and the scale that it has where the pose gives none.
+
+        A half-space that was added as a ceiling is one still after a move by position alone.
 
         Parameters
         ----------
         obstacle : int
             Its index.
         pose : Pose or array_like (dim,) or None
-            Pose, or position alone. ``None``: the origin.
+            Pose, or position alone. ``None``: the position of the origin. ``Pose(position, numpy.eye(dim), 1.0)`` turns it back to the
+            frame of its shape: the normal of a half-space is then the last axis.
 
         Raises
         ------
@@ -466,9 +469,19 @@ class Obstacles:
         --------
         >>> floor = contact.obstacles.add_half_space((0, 0.01), (0, 1))
         >>> contact.obstacles.set_pose(floor, (0, -1))
+        >>> ceiling = contact.obstacles.add_half_space((0, 3), (0, -1))
+        >>> contact.obstacles.set_pose(ceiling, (0, 4))
+        >>> contact.obstacles.get(ceiling).pose.rotation @ [0, 1]
+        array([ 0., -1.])
         """
-        with self._core.handle:
-            self._core.handle.call(library.fmc_context_set_pose, index_of("obstacle", obstacle), byref(pose_struct(pose, self._core.dim)))
+        core = self._core
+        wanted = Pose(np.zeros(core.dim)) if pose is None else pose if isinstance(pose, Pose) else Pose(pose)
+        # Refused before the obstacle is looked for, as any argument.
+        pose_struct(wanted, core.dim)
+        index = index_of("obstacle", obstacle)
+        with core.handle:
+            struct = pose_struct(wanted._moved_from(self._placed(index).pose), core.dim)
+            core.handle.call(library.fmc_context_set_pose, index, byref(struct))
 
     def get(self, obstacle: int) -> Obstacle:
         """Shape and pose of an obstacle.
@@ -495,9 +508,12 @@ class Obstacles:
         >>> shape, pose.position
         ('ball', array([0.5 , 1.05]))
         """
-        shape, pose = np.zeros(1, np.int32), fmc_pose()
         with self._core.handle:
-            self._core.handle.call(library.fmc_context_obstacle_shape, index_of("obstacle", obstacle), shape, byref(pose))
+            return self._placed(index_of("obstacle", obstacle))
+
+    def _placed(self, index: int) -> Obstacle:
+        shape, pose = np.zeros(1, np.int32), fmc_pose()
+        self._core.handle.call(library.fmc_context_obstacle_shape, index, shape, byref(pose))
         return Obstacle(SHAPES[int(shape[0])], placed(pose, self._core.dim))
 
     def remove(self, obstacle: int) -> None:

@@ -16,14 +16,16 @@ from ._structs import fmc_pose
 class Pose:
     """Position, rotation and scale: a point X of the shape is at ``position + scale * rotation @ X``.
 
+    ``Obstacles.set_pose`` leaves a rotation or a scale that is not given as the obstacle has it.
+
     Parameters
     ----------
     position : array_like, (dim,)
         Position (length).
     rotation : array_like, (dim, dim), optional
-        Orthonormal, with determinant +1. Default: the identity.
-    scale : float
-        Positive factor.
+        Orthonormal, with determinant +1. Default: the identity for a new obstacle, and the rotation it has for one that is moved.
+    scale : float, optional
+        Positive factor. Default: 1 for a new obstacle, and the scale it has for one that is moved.
 
     Raises
     ------
@@ -33,19 +35,47 @@ class Pose:
     Examples
     --------
     >>> Pose((0, 0.1), scale=2.0)
-    Pose([0.0, 0.1], [[1.0, 0.0], [0.0, 1.0]], 2.0)
+    Pose([0.0, 0.1], None, 2.0)
     """
 
-    def __init__(self, position: ArrayLike, rotation: Optional[ArrayLike] = None, scale: float = 1.0) -> None:
+    def __init__(self, position: ArrayLike, rotation: Optional[ArrayLike] = None, scale: Optional[float] = None) -> None:
         self.position = floats(position, "position").copy()
         if self.position.shape not in ((2,), (3,)):
             raise shape_error("position", self.position.shape, "(2,) or (3,)")
         dim = len(self.position)
-        self.rotation = np.eye(dim) if rotation is None else floats(rotation, "rotation", (dim, dim)).copy()
-        self.scale = float(scale)
+        self._rotation = None if rotation is None else floats(rotation, "rotation", (dim, dim)).copy()
+        self._scale = None if scale is None else float(scale)
+
+    @property
+    def rotation(self) -> np.ndarray:
+        """Rotation, (dim, dim). If none was given: the identity, which cannot be written to."""
+        if self._rotation is not None:
+            return self._rotation
+        identity = np.eye(len(self.position))
+        identity.flags.writeable = False
+        return identity
+
+    @rotation.setter
+    def rotation(self, rotation: Optional[ArrayLike]) -> None:
+        dim = len(self.position)
+        self._rotation = None if rotation is None else floats(rotation, "rotation", (dim, dim)).copy()
+
+    @property
+    def scale(self) -> float:
+        """Scale. If none was given: 1."""
+        return 1.0 if self._scale is None else self._scale
+
+    @scale.setter
+    def scale(self, scale: Optional[float]) -> None:
+        self._scale = None if scale is None else float(scale)
+
+    def _moved_from(self, old: Pose) -> Pose:
+        """The pose, with the rotation and the scale of another one where none was given."""
+        rotation = old.rotation if self._rotation is None else self._rotation
+        return Pose(self.position, rotation, old.scale if self._scale is None else self._scale)
 
     @classmethod
-    def along(cls, position: ArrayLike, axis: ArrayLike, scale: float = 1.0) -> Pose:
+    def along(cls, position: ArrayLike, axis: ArrayLike, scale: Optional[float] = None) -> Pose:
         """The pose that takes the shape's last axis (y in 2D, z in 3D) to a direction.
 
         The last axis is the axis of cylinder, cone and capsule, and the outward normal of a half-space.
@@ -56,8 +86,8 @@ class Pose:
             Position (length).
         axis : array_like, (dim,)
             Direction, of any length.
-        scale : float
-            Positive factor.
+        scale : float, optional
+            Positive factor. Default: as for ``Pose``.
 
         Returns
         -------
@@ -80,7 +110,8 @@ class Pose:
         return cls(at, np.array(found.rotation[:]).reshape(3, 3)[:dim, :dim], scale)
 
     def __repr__(self) -> str:
-        return f"Pose({self.position.tolist()}, {self.rotation.tolist()}, {self.scale})"
+        rotation = None if self._rotation is None else self._rotation.tolist()
+        return f"Pose({self.position.tolist()}, {rotation}" + (")" if self._scale is None else f", {self._scale})")
 
 
 Placement = Union[Pose, ArrayLike, None]
