@@ -471,6 +471,7 @@ contains
     call self%add_obstacle(shape, pose, index, stat)
   end subroutine
 
+  ! The whole pose: its rotation too, which a pose of a position alone turns back.
   subroutine set_pose(self, index, pose, stat)
     class(contact), intent(inout) :: self
     integer, intent(in) :: index

@@ -140,7 +140,7 @@ impl<const D: usize> Contact<D> {
         self.partners.obstacles.add(obstacle)
     }
 
-    /// Moves an obstacle.
+    /// Moves an obstacle. The whole pose is set, its rotation and scale too.
     ///
     /// # Errors
     /// [`Error::ObstacleOutOfRange`], [`Error::ObstacleRemoved`], [`Error::BadPose`].
