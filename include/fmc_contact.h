@@ -877,7 +877,9 @@ fmc_status fmc_context_add_obstacle(fmc_context *context,
 // Threads: several at once on one context, as long as no call changes it.
 fmc_status fmc_context_obstacle_shape(const fmc_context *context, size_t obstacle, int32_t *kind, fmc_pose *pose);
 
-// Moves an obstacle. Results of the last evaluation are kept.
+// Moves an obstacle, and turns and scales it: the whole pose is set, so that one of a position alone turns a ceiling into
+// a floor. To move it only, fill the pose by `fmc_context_obstacle_shape` and change its position. Results of the last
+// evaluation are kept.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_OBSTACLE_OUT_OF_RANGE`, `FMC_ERROR_OBSTACLE_REMOVED`,
 // `FMC_ERROR_BAD_POSE`, `FMC_ERROR_BUSY`. Threads: one call at a time on a context.
