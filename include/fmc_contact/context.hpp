@@ -544,6 +544,7 @@ class Context : public AddsShapes<Context> {
     check(fmc_context_obstacle_shape(get(), obstacle, &found.kind, &found.pose));
     return found;
   }
+  // The whole pose: to move an obstacle only, change the position of `obstacle_shape(obstacle).pose`.
   void set_pose(std::size_t obstacle, const Pose &pose) { call(fmc_context_set_pose(get(), obstacle, &pose)); }
   void remove_obstacle(std::size_t obstacle) {
     call(fmc_context_remove_obstacle(get(), obstacle));

@@ -54,7 +54,7 @@ struct Pose : fmc_pose {
   Pose() : fmc_pose() { check(fmc_pose_init(this)); }
   Pose(const fmc_pose &pose) : fmc_pose(pose) {}
 
-  // At a position of 2 or 3 numbers.
+  // At a position of 2 or 3 numbers, not turned: `set_pose` turns an obstacle back with it. `obstacle_shape` has the pose to change.
   static Pose at(View<const double> where) {
     Pose pose;
     if (where.size() != 2 && where.size() != 3) detail::refuse(FMC_ERROR_LENGTH, "a position has 2 or 3 numbers");
