@@ -190,3 +190,13 @@ def test_numbers_are_not_cut_from_fractions():
         DolfinxContact(V, stiffness=1e3, bodies=np.full(count, 0.5))
     with pytest.raises(TypeError, match="blocks has dtype float64, expected integers"):
         DolfinxContact(V, stiffness=1e3).set_symmetry_blocks([0.5])
+
+
+def test_two_spaces_have_meshes_of_their_own_in_one_dimension():
+    V = space("triangle")
+    for other in (V, vector_space(V.mesh, 2)):
+        with pytest.raises(LayoutError, match=r"spaces\[0\] and spaces\[1\] are on the same mesh"):
+            DolfinxContact([V, other], stiffness=1.0)
+    with pytest.raises(LayoutError, match=r"spaces\[0\] is in 2D and spaces\[1\] in 3D"):
+        DolfinxContact([V, space("tetra")], stiffness=1.0)
+    assert DolfinxContact([V, space("triangle")], stiffness=1.0).space_count == 2

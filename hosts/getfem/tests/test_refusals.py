@@ -79,6 +79,29 @@ def test_complex_models_and_empty_lists_are_refused():
         GetfemContact(gf.Model("real"), [], stiffness=1.0)
 
 
+def test_variables_move_cells_of_their_own():
+    model, space, mesh = variable("FEM_PK(2,1)")
+    with pytest.raises(LayoutError, match="'u' is named twice"):
+        GetfemContact(model, ["u", "u"], stiffness=1.0)
+    model.add_fem_variable("same", space)
+    with pytest.raises(LayoutError, match="'u' and 'same' both move cell 0 of the same mesh"):
+        GetfemContact(model, ["u", "same"], stiffness=1.0)
+    solid = gf.Mesh("cartesian", [0.0, 1.0], [0.0, 1.0], [0.0, 1.0])
+    cubes = gf.MeshFem(solid, 3)
+    cubes.set_fem(gf.Fem("FEM_QK(3,1)"))
+    model.add_fem_variable("w", cubes)
+    with pytest.raises(LayoutError, match="'u' is in 2D and 'w' in 3D"):
+        GetfemContact(model, ["u", "w"], stiffness=1.0)
+    # Cells of one mesh may be divided among variables.
+    parts = []
+    for name, cells in (("left", [0, 1]), ("right", [2, 3])):
+        part = gf.MeshFem(mesh, 2)
+        part.set_fem(gf.Fem("FEM_PK(2,1)"), cells)
+        parts.append(part)
+        model.add_fem_variable(name, part)
+    assert len(GetfemContact(model, ["left", "right"], stiffness=1.0).coords()) == 8
+
+
 def test_arrays_of_another_length_are_refused():
     scene = touching("FEM_PK(2,1)")
     with pytest.raises(ValueError, match="shape"):

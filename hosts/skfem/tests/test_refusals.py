@@ -38,6 +38,61 @@ def test_vectors_of_another_length_are_refused():
         SkfemContact(joined(bases), stiffness=1e4, size=5)
 
 
+@pytest.mark.parametrize(
+    ("places", "words"),
+    [
+        ((0, 0), r"bases\[0\] has the unknowns 0 to 7 and bases\[1\] 0 to 7: every basis has unknowns of its own"),
+        ((6, 13), r"bases\[0\] has the unknowns 6 to 13 and bases\[1\] 13 to 20"),
+        ((7, 0), r"bases\[1\] has the unknowns 0 to 7 and bases\[0\] 7 to 14"),
+        ((-1, 8), r"the offset of bases\[0\] is -1, the number of its first unknown is wanted, from 0"),
+        ((0, 8.0), r"the offset of bases\[1\] is 8.0"),
+        ((0, True), r"the offset of bases\[1\] is True"),
+        ((0, None), r"the offset of bases\[1\] is None"),
+        ((0, np.arange(2)), r"the offset of bases\[1\] is array"),
+    ],
+)
+def test_bases_have_unknowns_of_their_own(places, words):
+    basis = Basis(MeshTri(), ElementVector(ElementTriP1()))
+    with pytest.raises(ValueError, match=words):
+        SkfemContact([(basis, place) for place in places], stiffness=1.0)
+    other = Basis(MeshTri().translated((0, 1)), ElementVector(ElementTriP1()))
+    # Beside one another, with a gap, and in another order.
+    for first, second in ((0, 8), (3, np.int64(20)), (8, 0)):
+        contact = SkfemContact(((basis, first), [other, second]), stiffness=1.0)
+        assert contact.size == max(first, second) + 8
+
+
+def test_bases_without_their_places_are_refused_with_what_to_give():
+    basis = Basis(MeshTri(), ElementVector(ElementTriP1()))
+    wanted = r"a pair of a basis and the place of its first unknown is wanted: \[\(first, 0\), \(second, first.N\)\]"
+    for bases, words in (
+        ([basis, basis], r"bases\[0\] is a basis alone, " + wanted),
+        ((basis, 0), r"bases\[0\] is a basis alone, " + wanted),
+        ([(basis, 0), basis], r"bases\[1\] is a basis alone, " + wanted),
+        ([(basis, 0, 0)], r"bases\[0\] is a tuple of 3, " + wanted),
+        ([(0, basis)], r"bases\[0\] is a pair that begins with a int, " + wanted),
+        ([None], r"bases\[0\] is a NoneType, " + wanted),
+        (zip([basis], [0]), r"bases is a zip, a basis or a list of \(basis, offset\) is wanted"),
+    ):
+        with pytest.raises(LayoutError, match=words):
+            SkfemContact(bases, stiffness=1.0)
+    with pytest.raises(ValueError, match="there is no basis"):
+        SkfemContact([], stiffness=1.0)
+
+
+def test_bases_of_the_plane_and_of_space_are_refused_together():
+    plane = Basis(MeshTri(), ElementVector(ElementTriP1()))
+    space = Basis(skfem.MeshTet(), ElementVector(skfem.ElementTetP1()))
+    with pytest.raises(LayoutError, match=r"bases\[0\] is in 2D and bases\[1\] in 3D"):
+        SkfemContact([(plane, 0), (space, plane.N)], stiffness=1.0)
+
+
+@pytest.mark.parametrize("size", [9.0, "9", True])
+def test_a_size_that_is_no_integer_is_refused(size):
+    with pytest.raises(ValueError, match=f"the size is {size!r}, an integer is wanted"):
+        SkfemContact(Basis(MeshTri(), ElementVector(ElementTriP1())), size=size)
+
+
 @pytest.mark.parametrize("element", ["P1", "P2", "Q1 3D"])
 def test_numbers_that_are_none_are_told_and_survived(element):
     bases = blocks(element)

@@ -4,7 +4,7 @@
     residual = stiffness @ u - load - contact.force(u)
     matrix = stiffness + contact.tangent(u)
 
-Layers: SkfemContact  ->  field  ->  other_basis  ->  fmc_contact
+Layers: SkfemContact  ->  bases  ->  field  ->  other_basis  ->  fmc_contact
 """
 
 from .adapter import SkfemContact

@@ -12,7 +12,8 @@ from numpy.typing import ArrayLike
 from scipy.sparse import block_diag, csr_matrix, hstack, identity
 from skfem import CellBasis
 
-from .field import Field, field
+from .bases import fields_of, size_of
+from .field import Field
 
 
 class SkfemContact(SmoothesSurfaces):
@@ -26,7 +27,8 @@ class SkfemContact(SmoothesSurfaces):
     ----------
     bases : CellBasis or list of (CellBasis, int)
         A basis of ``ElementVector`` of continuous elements in 2D or 3D. Or a list of ``(basis, offset)``, where ``offset`` is the place of
-        the basis' first unknown in the vectors of the whole problem.
+        the basis' first unknown in the vectors of the whole problem: ``[(first, 0), (second, first.N)]``. It has ``basis.N`` of them from
+        there on, which belong to no other basis.
     stiffness : float
         Pressure per length for the default law. 0, the default: ``fmc_contact.find_equilibrium`` finds it from the bodies' matrix.
     size : int, optional
@@ -44,7 +46,9 @@ class SkfemContact(SmoothesSurfaces):
     Raises
     ------
     LayoutError
-        For a basis of another kind.
+        For a basis of another kind or another dimension, and for bases without their offsets.
+    ValueError
+        If unknowns belong to two bases, an offset is no number of an unknown, or ``size`` is too small.
     FmcError
         As ``fmc_contact.Contact`` raises.
 
@@ -67,10 +71,8 @@ class SkfemContact(SmoothesSurfaces):
         bodies: ArrayLike | None = None,
         **options: Any,
     ) -> None:
-        pairs = bases if isinstance(bases, (list, tuple)) else [(bases, 0)]
-        fields = [field(*pair) for pair in pairs]
-        if not fields:
-            raise ValueError("there is no basis")
+        fields = fields_of(bases)
+        self.size = size_of(fields, size)
         self._dofs = np.concatenate([one.dofs for one in fields])
         self._undeformed = np.concatenate([one.coords for one in fields])
         self._fields = fields
@@ -84,10 +86,6 @@ class SkfemContact(SmoothesSurfaces):
         self._frame = 0
         if any(one.matrix is not None for one in fields):
             self._set_basis(fields)
-        reach = max(one.reach for one in fields)
-        self.size = reach if size is None else size
-        if self.size < reach:
-            raise ValueError(f"vectors of {self.size} entries are too short, the bases reach to {reach}")
 
     def _set_basis(self, fields: list[Field]) -> None:
         """Has the nodes moved by unknowns: x = X + B u. The undeformed X are held by the unit vectors of the axes, the first
