@@ -15,7 +15,7 @@ from .in_parts import InParts, whole_because
 from .linearised import Linearised
 from .points import Points, at_points, points_of
 from .replicated import Replicated
-from .space import Displacement, LayoutError
+from .space import LayoutError, displacements
 from .together import together
 from .unknowns import Unknowns
 
@@ -58,7 +58,7 @@ class DolfinxContact(Linearised, SmoothesSurfaces):
     Raises
     ------
     LayoutError
-        For a space of another kind.
+        For a space of another kind or another dimension, and for two spaces on one mesh.
     FmcError
         As ``fmc_contact.Contact`` raises.
 
@@ -92,7 +92,7 @@ class DolfinxContact(Linearised, SmoothesSurfaces):
         if len(given) != len(listed):
             raise ValueError(f"bodies has {len(given)} entries, one for each of the {len(listed)} spaces is wanted")
         self.comm = _comm(listed[0])
-        self._fields = fields = together(self.comm, lambda: [Displacement(space) for space in listed])
+        self._fields = fields = together(self.comm, lambda: displacements(listed))
         ids = together(self.comm, lambda: [None if one is None else numbers(one, "bodies") for one in given])
         self.whole_because = whole_because(fields, ids, whole_mesh, share_work)
         has_boundary = all(field.order == 1 and not field.has_faces_of_two_shapes for field in fields)

@@ -17,6 +17,23 @@ class LayoutError(TypeError):
     """The degrees of freedom of a space are not those of a displacement that contact can read."""
 
 
+def displacements(spaces: Any) -> list[Displacement]:
+    """Spaces, checked: of one dimension, each of other bodies. Errors: ``LayoutError``."""
+    found: list[Displacement] = []
+    for number, space in enumerate(spaces):
+        one = Displacement(space)
+        for earlier, other in enumerate(found):
+            if other.dim != one.dim:
+                raise LayoutError(f"spaces[{earlier}] is in {other.dim}D and spaces[{number}] in {one.dim}D")
+            if other.mesh is one.mesh:
+                raise LayoutError(
+                    f"spaces[{earlier}] and spaces[{number}] are on the same mesh, so that their bodies would be at the same "
+                    "place: one space has all bodies of a mesh, and other spaces have meshes of their own"
+                )
+        found.append(one)
+    return found
+
+
 class Displacement:
     """A space of displacements, checked: Lagrange of order 1 or 2, a block of ``dim`` unknowns at every node, or another
     continuous element, blocks of unknowns of which the nodes are combinations."""

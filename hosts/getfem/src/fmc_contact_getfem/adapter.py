@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike
 from scipy.sparse import csr_matrix
 
 from .errors import LayoutError
-from .field import field
+from .field import fields
 
 
 class GetfemContact(SmoothesSurfaces):
@@ -46,7 +46,7 @@ class GetfemContact(SmoothesSurfaces):
     Raises
     ------
     LayoutError
-        For a variable of another kind.
+        For a variable of another kind or another dimension, one that is named twice, and two of the same cells.
     FmcError
         As ``fmc_contact.Contact`` raises.
 
@@ -74,7 +74,7 @@ class GetfemContact(SmoothesSurfaces):
         self.model, names = model, [variables] if isinstance(variables, str) else list(variables)
         if not names:
             raise ValueError("there is no variable")
-        self._fields = {name: field(model, name) for name in names}
+        self._fields = fields(model, names)
         self._undeformed = np.concatenate([one.coords for one in self._fields.values()])
         blocks, cells, first, before = [], [], 0, 0
         for one in self._fields.values():

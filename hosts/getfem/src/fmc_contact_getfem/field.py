@@ -31,6 +31,28 @@ class Field(NamedTuple):
         return self.dofs.size
 
 
+def fields(model: gf.Model, variables: list[str]) -> dict[str, Field]:
+    """Displacements of a model, checked: of one dimension, each of other cells."""
+    found: dict[str, Field] = {}
+    for name in variables:
+        if name in found:
+            raise LayoutError(f"'{name}' is named twice")
+        one = field(model, name)
+        for earlier, other in found.items():
+            dims = other.coords.shape[1], one.coords.shape[1]
+            if dims[0] != dims[1]:
+                raise LayoutError(f"'{earlier}' is in {dims[0]}D and '{name}' in {dims[1]}D")
+            if other.mesh.id == one.mesh.id:
+                both = np.intersect1d(other.space.convex_index(), one.space.convex_index())
+                if both.size:
+                    raise LayoutError(
+                        f"'{earlier}' and '{name}' both move cell {both[0]} of the same mesh, so that their bodies would be at "
+                        "the same place: every variable moves cells of its own"
+                    )
+        found[name] = one
+    return found
+
+
 def field(model: gf.Model, variable: str) -> Field:
     """A displacement of a model, checked."""
     try:
