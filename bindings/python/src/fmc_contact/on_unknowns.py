@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ._arrays import floats
+from ._index import integer
 from .contact import Contact
 from .result import Result
 
@@ -32,7 +33,7 @@ class OnUnknowns:
     Raises
     ------
     ValueError
-        For another shape, no integers, or a number that is given twice, below -1, or not below the size.
+        For another shape, no integers, or a number that is below -1, not below the size, or given twice: an unknown moves one coordinate.
 
     Examples
     --------
@@ -62,7 +63,10 @@ class OnUnknowns:
         (self._moved,) = np.nonzero(self._of_freedom >= 0)
         self._unknowns = self._of_freedom[self._moved]
         reach = int(self._of_freedom.max(initial=-1)) + 1
-        self.size = reach if size is None else int(size)
+        found = reach if size is None else integer(size)
+        if found is None:
+            raise ValueError(f"the size is {size!r}, an integer is wanted")
+        self.size = found
         self._refuse(np.flatnonzero(self._of_freedom < -1), "is below -1")
         self._refuse(np.flatnonzero(self._of_freedom >= self.size), f"is not below the size, {self.size}")
         order = np.argsort(self._unknowns, kind="stable")
