@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import basis
-from ._arrays import coords_view, floats, numbers
+from ._arrays import coords_view, finite, floats, numbers, shape_error
 from ._core import Core
 from ._library import library
 from ._structs import fmc_adjustment
@@ -169,6 +169,8 @@ class Mesh:
         ------
         LengthError
             If an array that is set has another number of rows.
+        ValueError
+            If it has another number of columns, or a number in it is not finite.
 
         Examples
         --------
@@ -184,7 +186,9 @@ class Mesh:
 
     @offsets.setter
     def offsets(self, values: Optional[ArrayLike]) -> None:
-        rows = np.empty(0) if values is None else np.ascontiguousarray(floats(values, "offsets"), np.float64)
+        rows = np.empty(0) if values is None else np.ascontiguousarray(finite(values, "offsets"))
+        if rows.ndim > 2 or (rows.ndim == 2 and rows.size and rows.shape[1] != self._core.dim):
+            raise shape_error("offsets", rows.shape, f"(nodes, {self._core.dim})", "transpose it" if rows.shape[0] == self._core.dim else "")
         with self._core.handle:
             self._core.handle.call(library.fmc_context_set_offsets, rows, rows.size)
 
