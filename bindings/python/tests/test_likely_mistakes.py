@@ -1,8 +1,11 @@
 """What a host most likely gets wrong is named, and never leads to an equilibrium of something else."""
 
+import re
+
 import numpy as np
 import pytest
-from fmc_contact import Contact, NotConvergedError, check_host, find_equilibrium
+from fmc_contact import Contact, NotConvergedError, OnUnknowns, check_host, find_equilibrium
+from fmc_contact.search.bodies import Bodies
 from scenes import K
 from scipy.sparse import csr_matrix
 
@@ -45,6 +48,98 @@ def test_displacements_in_place_of_coordinates_are_refused():
         found(host, 0 * COORDS, PUSHED - COORDS)
     with pytest.raises(ValueError, match="x is zero"):
         check_host(host, Contact(COORDS, SQUARES, "quad"), 0 * COORDS, FREE)
+
+
+@pytest.mark.parametrize(
+    ("shaped", "text"),
+    [
+        (lambda x: x.T, r"x has shape \(2, 8\), expected \(8, 2\): with a Contact x are coordinates: transpose it"),
+        (np.ravel, r"x has shape \(16,\), expected \(8, 2\): with a Contact x are coordinates"),
+        (lambda x: np.c_[x, 0 * x[:, 0]], r"x has shape \(8, 3\), expected \(8, 2\)"),
+    ],
+)
+def test_coordinates_in_another_shape_are_refused_with_the_one_that_is_wanted(shaped, text):
+    x, to = shaped(COORDS), shaped(PUSHED)
+    with pytest.raises(ValueError, match=text):
+        found(linear(SPRINGS, x), x, to)
+    with pytest.raises(ValueError, match=text):
+        check_host(linear(SPRINGS, x), Contact(COORDS, SQUARES, "quad"), x, FREE)
+
+
+def test_a_residual_in_columns_is_refused():
+    host = lambda x: ((SPRINGS @ (x - COORDS).ravel()).reshape(8, 2).T, SPRINGS)
+    with pytest.raises(ValueError, match=r"the residual has shape \(2, 8\), expected \(8, 2\), as x has: transpose it"):
+        found(host)
+    assert found(lambda x: ((SPRINGS @ (x - COORDS).ravel()).reshape(8, 2), SPRINGS)).warnings == []
+
+
+LOADS = np.tile([3.0, -2.0], 8)
+TAKES_DISPLACEMENTS = r"the residual at the start is that of bodies stretched to twice their size, .*: the function takes displacements"
+TAKES_COORDINATES = r"the residual at the start is that of bodies without extent, .*: the function takes coordinates"
+
+
+# The first of linear bodies, the second of bodies that stiffen in any direction.
+@pytest.mark.parametrize("host", [
+    lambda u: (SPRINGS @ u - LOADS, SPRINGS),
+    lambda u: (SPRINGS @ (u + 0.1 * u**3) - LOADS, SPRINGS @ np.diag(1 + 0.3 * u**2)),
+], ids=["linear", "not linear"])  # fmt: skip
+@pytest.mark.parametrize("stiffness", [0.0, K])
+def test_a_function_of_the_other_unknowns_is_told(host, stiffness):
+    """Where there is an equilibrium all the same, it is in its warnings."""
+    contact = lambda: Contact(COORDS, SQUARES, "quad", stiffness=stiffness)
+    on_host = lambda: OnUnknowns(contact(), COORDS, np.arange(16).reshape(8, 2))
+    zeros = np.zeros(16)
+    of_coords = lambda x: host((x - COORDS).ravel())
+    in_place_of = lambda x: host(x.ravel() - COORDS.ravel())
+    assert not told(host, on_host(), zeros) and not told(of_coords, contact(), COORDS)
+    assert TAKES_DISPLACEMENTS in told(lambda x: host(x.ravel()), contact(), COORDS)
+    assert TAKES_COORDINATES in told(in_place_of, on_host(), zeros)
+    wrong = (lambda x: host(x.ravel()), contact(), COORDS, TAKES_DISPLACEMENTS), (in_place_of, on_host(), zeros, TAKES_COORDINATES)
+    for function, of, x, text in wrong:
+        assert any(re.match("unknowns: WRONG: " + text, one) for one in check_host(function, of, x, FREE))
+        assert not any("unknowns: WRONG" in one for one in check_host(of_coords, contact(), COORDS, FREE))
+
+
+def told(host, contact, x):
+    """The one of the sentences that a search says, in its failure or in warnings."""
+    try:
+        texts = find_equilibrium(host, contact, x, FREE, max_iterations=20).warnings
+    except NotConvergedError as error:
+        texts = [str(error)]
+    return [sentence for sentence in (TAKES_DISPLACEMENTS, TAKES_COORDINATES) if any(re.search(sentence, text) for text in texts)]
+
+
+def test_a_host_may_write_to_the_same_memory_again_where_another_state_is_looked_at():
+    def host(x):
+        residual[:] = SPRINGS @ x.ravel() - LOADS
+        return residual, SPRINGS
+
+    residual = np.zeros(16)
+    bodies = Bodies(host, Contact(COORDS, SQUARES, "quad"), (8, 2), FREE, None)
+    first, _ = bodies.forces(COORDS.ravel(), True)
+    assert bodies.hints and (first == SPRINGS @ COORDS.ravel() - LOADS).all()
+    again, _ = bodies.forces(COORDS.ravel(), True)
+    assert (again == first).all()
+
+
+def test_places_in_place_of_displacements_are_refused():
+    on_host = OnUnknowns(Contact(COORDS, SQUARES, "quad"), COORDS, np.arange(16).reshape(8, 2))
+    host = lambda u: (SPRINGS @ u, SPRINGS)
+    for call in (find_equilibrium, check_host):
+        with pytest.raises(ValueError, match="x are the places of the nodes without displacement: with this contact x are displacements"):
+            call(host, on_host, COORDS.ravel(), FREE)
+
+
+def test_offsets_that_are_no_numbers_are_named():
+    contact = Contact(COORDS, SQUARES, "quad", stiffness=K)
+    offsets = np.zeros((8, 2))
+    offsets[3, 1] = np.nan
+    with pytest.raises(ValueError, match=r"offsets\[3, 1\] is nan, expected finite numbers"):
+        contact.mesh.offsets = offsets
+    with pytest.raises(ValueError, match=r"offsets has shape \(2, 8\), expected \(nodes, 2\): transpose it"):
+        contact.mesh.offsets = np.zeros((2, 8))
+    contact.mesh.offsets = np.full((8, 2), 0.01)
+    assert (contact.mesh.offsets == 0.01).all()
 
 
 def test_a_matrix_without_the_rows_of_supports_is_refused_by_its_shape():

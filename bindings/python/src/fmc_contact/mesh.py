@@ -186,7 +186,7 @@ class Mesh:
 
     @offsets.setter
     def offsets(self, values: Optional[ArrayLike]) -> None:
-        rows = np.empty(0) if values is None else np.ascontiguousarray(finite(values, "offsets"))
+        rows: np.ndarray = np.empty(0) if values is None else np.ascontiguousarray(finite(values, "offsets"))
         if rows.ndim > 2 or (rows.ndim == 2 and rows.size and rows.shape[1] != self._core.dim):
             raise shape_error("offsets", rows.shape, f"(nodes, {self._core.dim})", "transpose it" if rows.shape[0] == self._core.dim else "")
         with self._core.handle:

@@ -1,7 +1,7 @@
 """The library's search for an equilibrium, with the matrices and solvers of Python.
 
     find, check  ->  requests, outcome  ->  adjoint  ->  at_equilibrium, coloured
-                 ->  closed, saddle  ->  bodies, unknowns, start  ->  together, linear, condensed  ->  host, likely
+                 ->  closed, saddle  ->  bodies, start  ->  likely, together, linear, condensed  ->  host, unknowns
 """
 
 from .adjoint import Adjoint

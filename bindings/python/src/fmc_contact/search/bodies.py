@@ -8,12 +8,13 @@ import numpy as np
 
 from ..condensed import Condensed, same_entries
 from ..contact import Contact
-from ..errors import FmcError, IndefiniteStiffnessError, InvertedCellError, SingularStiffnessError
+from ..errors import FmcError, IndefiniteStiffnessError, InvertedCellError, SingularStiffnessError, ZeroMeasureError
 from .host import Host, Refused
-from .likely import refuse_components, refuse_part
+from .likely import other_unknowns, refuse_columns, refuse_components, refuse_part
 from .linear import factors, shifted, summed
 
-_FAILURES = (RuntimeError, np.linalg.LinAlgError, SingularStiffnessError, IndefiniteStiffnessError, InvertedCellError)
+# The last two are those of a state that bodies cannot have.
+_FAILURES = (RuntimeError, np.linalg.LinAlgError, SingularStiffnessError, IndefiniteStiffnessError, InvertedCellError, ZeroMeasureError)
 
 # Attribute of a contact: factors of linear bodies serve later load steps too.
 _KEPT = "_condensed_by_search"
@@ -36,6 +37,8 @@ class Bodies(Host):
         self.size = int(np.prod(shape))
         self.comm = getattr(contact, "contact", contact).ranks.comm
         self.matrix: Any = None
+        self.hints: list[str] = []
+        """What the function most likely takes in place of these unknowns."""
         self._last: tuple[np.ndarray, Any] | None = None
         self._factors: tuple[Any, Any] = (None, None)
 
@@ -47,12 +50,23 @@ class Bodies(Host):
             except FmcError as error:
                 raise Refused(str(error)) from error
         residual, derivative, *rest = self._last[1]
+        refuse_columns(residual, self.shape)
         residual = np.ascontiguousarray(np.ravel(residual), np.float64)
         if residual.shape != (self.size,):
             raise ValueError(f"the residual has {residual.size} entries, x has {self.size}")
         if matrix:
+            is_first = self.matrix is None
             self._take(derivative)
+            if is_first:
+                # A copy, as the host may write its next residual to the same memory.
+                residual = residual.copy()
+                self.hints = other_unknowns(self._elsewhere, self.contact, x.reshape(self.shape), residual, self.matrix)
         return residual, float(rest[0]) if rest else None
+
+    def _elsewhere(self, x: np.ndarray) -> np.ndarray:
+        """The residual at a state that the search has not asked for."""
+        self._last = None
+        return np.array(self.host(x.reshape(self.shape))[0], np.float64).ravel()
 
     def _take(self, derivative: Any) -> None:
         """Keeps a copy: many hosts assemble into the same memory again, and factors have to be known as those of another matrix then."""

@@ -8,7 +8,7 @@ from numpy.typing import ArrayLike
 
 from .bodies import Residual, bodies_of
 from .host import Host
-from .likely import refuse_displacements
+from .likely import refuse_start
 from .outcome import NotConvergedError
 from .requests import Search
 from .start import start
@@ -51,11 +51,11 @@ def check_host(residual_and_tangent: Union[Residual, Host], contact: Any, x: Arr
     ['symmetry: the matrix is symmetric']
     """
     begin, solved_for = start(x, free)
-    refuse_displacements(contact, begin)
+    refuse_start(contact, begin)
     bodies = bodies_of(residual_and_tangent, contact, begin.shape, solved_for, None)
     search = Search(bodies, Moved(contact, begin.size), begin, solved_for, None, {"check": 1}, None)
     search.run()
     result, way, texts = search.ended()
     if way == "none":
         raise NotConvergedError(texts[0], [float("nan")], result.solve_count)
-    return texts
+    return texts + [f"unknowns: WRONG: {text}" for text in getattr(bodies, "hints", [])]

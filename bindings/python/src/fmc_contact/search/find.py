@@ -11,7 +11,7 @@ from .._arrays import finite, floats
 from .bodies import Bodies, CondensedSteps, Residual, Solve, bodies_of, condensed_of
 from .closed import End
 from .host import Host
-from .likely import refuse_displacements, unconnected
+from .likely import refuse_start, unconnected
 from .outcome import Equilibrium, NoSupportError, NotConvergedError
 from .requests import Search
 from .start import count, start
@@ -48,8 +48,10 @@ def find_equilibrium(
     residual_and_tangent : callable
         Takes ``x`` and returns the residual of the bodies without contact, internal minus external forces in the shape of ``x``; its
         derivative, (size, size), a matrix of scipy or an array, with the rows of unknowns that are not free; and optionally
-        strain energy minus the work of loads. For coordinates the degree of freedom is ``node * dim + axis``. Or a ``Host`` of
-        ``fmc_contact.search``, which answers by itself.
+        strain energy minus the work of loads. For coordinates the degree of freedom is ``node * dim + axis``. It raises
+        ``fmc_contact.search.Refused`` for a state that its bodies cannot have, or returns numbers that are not finite: a shorter step
+        is then made. Any other exception, except an ``FmcError``, ends the search and is raised. Or a ``Host`` of ``fmc_contact.search``,
+        which answers by itself.
     contact : Contact or adapter
         A ``Contact``, for which ``x`` are coordinates, (n, dim). Or an adapter such as ``OnUnknowns``, for which ``x`` is a
         displacement, (size,): an object with ``contact``, ``coords``, ``evaluate``, ``on_dofs`` and ``tangent``, which takes ``semidefinite``
@@ -98,9 +100,11 @@ def find_equilibrium(
     NoSupportError
         If nothing stops a body. It names the body and its direction.
     NotConvergedError
-        If no equilibrium was found. Friction and multipliers of the contact are then what they were before.
+        If no equilibrium was found. Friction and multipliers of the contact are then what they were before. If the function seems to
+        take displacements where ``x`` are coordinates, or the other way round, the message says so.
     ValueError
-        For shapes, for arguments that exclude one another, and for a matrix in the order of components, which is that of no ``Contact``.
+        For shapes, for arguments that exclude one another, for coordinates in place of displacements, and for a matrix in the order
+        of components, which is that of no ``Contact``.
 
     Examples
     --------
@@ -113,7 +117,7 @@ def find_equilibrium(
     True
     """
     begin, solved_for = start(x, free)
-    refuse_displacements(contact, begin)
+    refuse_start(contact, begin)
     bodies = bodies_of(residual_and_tangent, contact, begin.shape, solved_for, solve)
     unknowns = Moved(contact, begin.size)
     end = None if prescribed is None else _prescribed(prescribed, begin, solved_for)
@@ -164,10 +168,13 @@ def _ended(search: Search, contact: Any, begin: np.ndarray, end: Optional[np.nda
     result, way, texts = search.ended()
     bodies, steps = search.bodies, search.steps
     residuals = search.array_of(result.residuals, result.residual_count).tolist()
+    hints = bodies.hints if isinstance(bodies, Bodies) else []
     if way == "none":
         text = f"no equilibrium after {result.solve_count} linear solves: {texts[0]}"
         if not result.unheld:
-            text = "; ".join([text, *_wrong(search, begin)])
+            if search.refusal and search.refusal not in text:
+                text += f"; the host refused a state: {search.refusal}"
+            text = "; ".join([text, *hints, *_wrong(search, begin)])
             raise NotConvergedError(text, residuals or [float("nan")], result.solve_count)
         error = NoSupportError(text, residuals or [float("nan")], result.solve_count)
         error.body, error.is_rotation = result.unheld_body, not any(result.unheld_direction)
@@ -180,6 +187,7 @@ def _ended(search: Search, contact: Any, begin: np.ndarray, end: Optional[np.nda
         moved = end - begin.ravel()
         moved[search.solved_for] = 0.0
         texts = texts + unconnected(bodies.matrix, moved)
+    texts = texts + hints
     found = Equilibrium(
         x,
         result.solve_count,

@@ -2,17 +2,92 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, Callable
 
 import numpy as np
 
+from .._arrays import shape_error
 from ..contact import Contact
+from .unknowns import Moved
+
+_SAME = 1e-12
+"""Displacements by coordinates that are these, up to the rounding of a sum."""
+
+_ROUNDING = 1e-6
+"""Forces by the sum of their parts below which the matrix does not know a stretch."""
+
+_LARGE = 0.1
+"""Residual by that of bodies stretched to twice their size above which the cause is looked for: hardly a load step begins with as much."""
+
+_SMALL = 0.1
+"""Residual at the other kind of unknowns by that at the start: there loads alone are left."""
 
 
-def refuse_displacements(contact: Any, begin: np.ndarray) -> None:
-    """Errors: ``ValueError`` where coordinates are wanted and zeros are given."""
-    if isinstance(contact, Contact) and begin.size and not begin.any():
-        raise ValueError("x is zero: with a Contact x are coordinates; OnUnknowns(contact, coords, unknowns) takes displacements")
+def refuse_start(contact: Any, begin: np.ndarray) -> None:
+    """Errors: ``ValueError`` where coordinates are wanted and displacements are given, the other way round, or in columns."""
+    if isinstance(contact, Contact):
+        if begin.size and not begin.any():
+            raise ValueError("x is zero: with a Contact x are coordinates; OnUnknowns(contact, coords, unknowns) takes displacements")
+        expected = contact.unknown_count, contact.dim
+        if begin.shape != expected:
+            hint = "transpose it, and have the residual in the same shape" if begin.shape == expected[::-1] else ""
+            raise shape_error("x", begin.shape, f"{expected}: with a Contact x are coordinates", hint)
+        return
+    if begin.ndim != 1 or not begin.any():
+        return
+    places = _spread(contact, begin.size, contact.coords(np.zeros(begin.size)))
+    if np.abs(begin - places).max() <= _SAME * np.abs(places).max():
+        raise ValueError(
+            "x are the places of the nodes without displacement: with this contact x are displacements, zeros where a first load step "
+            "begins; with a Contact x are coordinates"
+        )
+
+
+def refuse_columns(residual: Any, shape: tuple[int, ...]) -> None:
+    """Errors: ``ValueError`` for a residual in columns, (dim, n), which in a row would be another one."""
+    found = np.shape(residual)
+    if len(found) == len(shape) == 2 and found != shape and found == shape[::-1]:
+        raise shape_error("the residual", found, f"{shape}, as x has", "transpose it")
+
+
+def other_unknowns(
+    at: Callable[[np.ndarray], np.ndarray], contact: Any, x: np.ndarray, residual: np.ndarray, matrix: Any
+) -> list[str]:
+    """A sentence where the host takes displacements and is given coordinates, or the other way round; ``at`` is its residual elsewhere.
+
+    The residual is then as large as that of bodies stretched to twice their size, and small at the other kind of unknowns. No right host
+    has both: its loads alone would have to press the bodies to a point, or stretch them to twice their size."""
+    takes_coords = isinstance(contact, Contact)
+    rows = x if takes_coords else contact.coords(x)
+    places, stretch = (one.ravel() if takes_coords else _spread(contact, x.size, one) for one in (rows, rows - rows.mean(axis=0)))
+    stretched, found = np.linalg.norm(matrix @ stretch), np.linalg.norm(residual)
+    if not (stretched > _ROUNDING * np.linalg.norm(abs(matrix) @ abs(stretch)) and _LARGE * stretched < found < np.inf):
+        return []
+    try:
+        other = at(np.zeros(x.shape) if takes_coords else places)
+    except Exception:
+        # Bodies without extent, or twice as large, may be refused in any way.
+        return []
+    if not np.linalg.norm(other) <= _SMALL * found:
+        return []
+    if takes_coords:
+        return [
+            "the residual at the start is that of bodies stretched to twice their size, and small where x is zero: the function "
+            "takes displacements, and with a Contact x are coordinates; OnUnknowns(contact, coords, unknowns) takes displacements"
+        ]
+    return [
+        "the residual at the start is that of bodies without extent, and small where x are the places of the nodes: the function takes "
+        "coordinates, and with this contact x are displacements"
+    ]
+
+
+def _spread(contact: Any, size: int, rows: np.ndarray) -> np.ndarray:
+    """Coordinates of an adapter by the unknown that moves each; 0 for unknowns that move none."""
+    of_coordinate = Moved(contact, size).of_coordinate
+    moved = of_coordinate >= 0
+    found = np.zeros(size)
+    found[of_coordinate[moved]] = rows.ravel()[moved]
+    return found
 
 
 def refuse_part(matrix: Any, size: int) -> None:

@@ -53,6 +53,8 @@ class Search:
     ) -> None:
         self.bodies, self.unknowns, self.solved_for, self.steps, self.size = bodies, unknowns, solved_for, steps, unknowns.size
         self.handle = unknowns.inner._core.handle
+        self.refusal = ""
+        """Why the host has refused a state, the last time."""
         base = np.ascontiguousarray(unknowns.coords(np.zeros(self.size)), np.float64)
         first = unknowns.inner.options["index_base"]
         of_coordinate = numbers(unknowns.of_coordinate, "of_coordinate", None, self.handle.index)
@@ -93,6 +95,8 @@ class Search:
         try:
             vector, energy, is_definite = together(self.bodies.comm, lambda: self._asked(kind, request))
         except Refused as refused:
+            if kind == "forces":
+                self.refusal = str(refused)
             why = create_string_buffer(str(refused).encode())
             answer.refusal = addressof(why)
             return byref(answer), (answer, why)
