@@ -160,6 +160,13 @@ PIECES = {
             TWO_BLOCKS + "load = np.zeros(16)\nload[9::2] = -1.0\nfree = np.r_[8:16]\n",
             "assert abs(found.result.bodies[1].force[1] - 4) < 1e-8, found.result.bodies",
         ),
+        (
+            TWO_BLOCKS + "load = np.zeros(16)\nload[9::2] = -1.0\nfree = np.r_[8:16]\n",
+            "found = find_equilibrium(host, Contact(x, conn, 'quad'), x, free)\n"
+            "assert abs(found.result.bodies[1].force[1] - 4) < 1e-8\n"
+            "try:\n    host(np.zeros((8, 2)))\n    raise AssertionError\nexcept Refused as refused:\n"
+            "    assert str(refused) == 'element 0 is inverted'",
+        ),
         (ROUGH, "assert contact.evaluate(coords).penetration < 1e-9"),
         (ROUGH, "assert abs(contact.evaluate(x).bodies[1].force[1] - 20) < 0.1, contact.evaluate(x).bodies"),
     ],

@@ -11,7 +11,20 @@ from ..ranks import Communicator
 
 
 class Refused(Exception):
-    """What a search has asked for is not there."""
+    """What a search has asked for is not there: raised by the bodies, with why.
+
+    A function that is given to ``find_equilibrium`` raises it for a state that its bodies cannot have, such as one with an inverted
+    cell. The search then makes a shorter step. Any other exception ends the search and reaches the caller, but for errors of this
+    package, which are taken for refusals too.
+
+    Examples
+    --------
+    >>> from fmc_contact.search import Refused
+    >>> raise Refused("cell 7 is inverted")
+    Traceback (most recent call last):
+    ...
+    fmc_contact.search.host.Refused: cell 7 is inverted
+    """
 
 
 class Host(ABC):
