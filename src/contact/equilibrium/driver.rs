@@ -5,7 +5,7 @@
 //!
 //! - `layers`: where the law has no stiffness, each pair gets one from the host's matrix;
 //! - `motions`, `settle`: bodies that nothing holds move rigidly until contact balances their loads, or are refused by name;
-//! - `overlaps`: overlaps that no load explains are told;
+//! - `overlaps`: overlaps that loads do not explain are told;
 //! - `unchanged`: a load step in which nothing changes takes up what the last one has found;
 //! - `falling_load`: multipliers of another load fall with it;
 //! - `parts`: what is prescribed moves as far as nothing passes through anything, then the next part;

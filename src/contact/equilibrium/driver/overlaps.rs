@@ -1,4 +1,4 @@
-//! Overlaps at the start that no load explains: what a mesher left, or an interference that is meant.
+//! Overlaps at the start that loads do not explain: what a mesher left, or an interference that is meant.
 
 use super::search::Search;
 use super::state::State;
@@ -10,7 +10,7 @@ use std::collections::BTreeMap;
 /// Part of a facet above which an overlap is told.
 const TOLD: f64 = 1e-3;
 
-/// Forces of the bodies by those of the contact below which they do not press bodies together.
+/// Forces of the bodies by those of the contact below which they do not explain the overlap. Some load may be there all the same.
 const UNLOADED: f64 = 0.5;
 
 /// Warns of them, pair by pair.
@@ -42,8 +42,8 @@ pub(super) async fn overlaps<const D: usize>(search: &mut Search<D>, start: &Sta
                 Partner::Obstacle(obstacle) => format!("obstacle {obstacle}"),
             };
             let text = format!(
-                "{} and {} overlap by {depth:.1e} at the start, {:.0e} of a facet, where no load presses them together: they are \
-                 pressed apart. An adjustment removes overlaps without strain",
+                "{} and {} overlap by {depth:.1e} at the start, {:.0e} of a facet, more than the loads explain: they are pressed \
+                 apart. An adjustment removes overlaps without strain",
                 name(pair[0]),
                 name(pair[1]),
                 depth / facet
