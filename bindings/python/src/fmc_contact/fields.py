@@ -18,7 +18,8 @@ class NodalContact:
     """The contact at every node, n of them in the order of the coordinates; zero where nothing touches.
 
     The nodal force without its friction is ``-(pressure * area)[:, None] * normal``, to rounding. With cells of second order
-    that is the force at the point of their division that represents the node (see ``PointWeights``).
+    that is the force at the point of their division that represents the node (see ``PointWeights``). Nodes at the edge of the contact may
+    have a tiny area, so a mean pressure is weighted with the area: ``numpy.average(pressure, weights=area)``.
 
     Attributes
     ----------
