@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from fmc_contact import NotConvergedError, find_equilibrium
+from fmc_contact import find_equilibrium
 from fmc_contact_skfem import SkfemContact
-from scipy.sparse import block_diag
+from scipy.sparse import block_diag, diags
 from skfem import Basis, ElementQuad1, ElementTriP1, ElementVector, LinearForm, MeshQuad, MeshTri
 from skfem.models.elasticity import lame_parameters, linear_elasticity
 
@@ -21,16 +21,16 @@ def plank(corners: list[np.ndarray]) -> MeshQuad:
     return MeshQuad(sum(part * corner[:, None] for part, corner in zip(parts, corners)), mesh.t)
 
 
-# The tangent of friction leaves terms out: with stiff planks the fourth load stays at 1e-8 to 1e-6 of the forces, or not, by the last bits of
-# the bodies' matrix.
-BY_LAST_BITS = pytest.mark.xfail(raises=(NotConvergedError, AssertionError), strict=False, reason="ends or not by the last bits of the matrix")
 SERIES = (1, 1.1, 1.2, 1.5, 2)
 
 
+# The tangent of friction leaves terms out: steps of Newton's method alone came to rest with stiff planks, or not, by the last bits of the
+# bodies' matrix. They are changed by rounding in some of the cases.
 @pytest.mark.parametrize(
-    ("young", "loads"), [(2e7, (1, 2)), (2e8, SERIES), (2e9, SERIES[:3]), pytest.param(2e9, SERIES, marks=BY_LAST_BITS)]
+    ("young", "loads", "rounding"),
+    [(2e7, (1, 2), None), (2e7, SERIES, 1), (2e8, SERIES, None), (2e9, SERIES, None), (2e9, SERIES, 1), (2e9, SERIES, 2), (2e9, SERIES, 3)],
 )
-def test_a_disc_in_a_trough_of_planks_comes_to_rest(young: float, loads: tuple[float, ...]) -> None:
+def test_a_disc_in_a_trough_of_planks_comes_to_rest(young: float, loads: tuple[float, ...], rounding: int | None) -> None:
     """A disc of radius 1, three tenths of a facet above planks at 45° that are held along their backs: both bear the same."""
     disc = MeshTri.init_circle(3)
     ends = disc.p[:, disc.facets[:, disc.boundary_facets()]]
@@ -43,6 +43,9 @@ def test_a_disc_in_a_trough_of_planks_comes_to_rest(young: float, loads: tuple[f
     bases = [Basis(mesh, ElementVector(ElementTriP1() if mesh is disc else ElementQuad1())) for mesh in meshes]
     first = np.cumsum([0] + [basis.N for basis in bases])
     matrix = block_diag([linear_elasticity(*lame_parameters(young, 0.3)).assemble(basis) for basis in bases], "csr")
+    if rounding is not None:
+        scales = diags(1 + np.random.default_rng(rounding).normal(0, 1e-14, first[-1]))
+        matrix = (scales @ matrix @ scales).tocsr()
     contact = SkfemContact(list(zip(bases, first)), friction_coefficient=MU)
     depth = (1 + gap) * np.sqrt(2) + 0.6 * np.sqrt(2)
     back = [bases[k].get_dofs(lambda x, k=k: (3 - 2 * k) * x[0] - x[1] > depth - 1e-6).all() + first[k] for k in (1, 2)]
@@ -56,6 +59,6 @@ def test_a_disc_in_a_trough_of_planks_comes_to_rest(young: float, loads: tuple[f
         forces = [found.result.bodies[k].force / (load * whole) for k in (1, 2)]
         assert forces[0] + forces[1] == pytest.approx([0, -1], abs=1e-8)
         assert forces[0] == pytest.approx(forces[1] * [-1, 1], abs=1e-3)
-        assert found.iterations <= 30 and not found.warnings
+        assert found.iterations <= 10 and not found.warnings
         u = found.x
         contact.commit_step(u)
