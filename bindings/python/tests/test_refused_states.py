@@ -66,6 +66,19 @@ def test_where_no_state_is_left_the_reason_of_the_host_is_told(kind, text):
         check_host(Host(REFUSALS[kind], limit=-1.0), Contact(COORDS, SQUARES, "quad"), COORDS, FREE)
 
 
+def test_the_reason_is_told_where_the_search_stays_at_a_residual():
+    """Ten times the load, and a limit far below where it leads."""
+    refuse = Host(raised(Refused("a node is too far away")), limit=0.01)
+
+    def host(x):
+        residual, matrix = refuse(x)
+        return residual - 9 * LIFT, matrix
+
+    text = r"the residual is .* of the forces after \d+ linear solves; the host refused a state: a node is too far away"
+    with pytest.raises(NotConvergedError, match=text):
+        found(host)
+
+
 class OutOfLicencesError(Exception):
     pass
 
