@@ -3,10 +3,11 @@
 //! `between` (which facets) · `common_pieces` (of facets that face one another) · `visible` (with `near_facets`) (what hides them) · `facing_points` (quadrature on these) · `place` (a place of a facet, by the points that
 //! move it) · `opposite` (points of a piece, and what lies opposite) · `covered` (what of facets pieces cover) · `frame` (how the normal of a
 //! facet turns) · `hold` (by which side) · `tie` (the rows of a tie) · `tie_energy` (its energy, forces and tangent) · `cohesive_law` (how an
-//! interface breaks) · `cohesion` (its points) · `cohesive_energy` (as of a tie) · `glide` (surfaces that slide and do not separate) ·
+//! interface breaks) · `point_state` (what its points carry on) · `broken_friction` (where it is broken) · `cohesion` (its points) · `cohesive_energy` (as of a tie) · `glide` (surfaces that slide and do not separate) ·
 //! `glide_energy` (as of a tie)
 
 mod between;
+mod broken_friction;
 mod cohesion;
 mod cohesive_energy;
 mod cohesive_law;
@@ -20,17 +21,21 @@ mod hold;
 mod near_facets;
 mod opposite;
 mod place;
+mod point_state;
 mod tie;
 mod tie_energy;
 mod visible;
 
 pub(crate) use between::{Between, HeldFacets};
+pub(crate) use broken_friction::BrokenFriction;
 pub(crate) use cohesion::Cohesion;
 pub(crate) use cohesive_energy::{CohesionAt, Softened};
 pub(crate) use cohesive_law::CohesiveLaw;
-pub use cohesive_law::{Cohesive, PointDamage, Softening};
+pub use cohesive_law::{Cohesive, Softening};
 pub(crate) use facing_points::{FacingSurfaces, normal_of, shape_at};
 pub(crate) use glide::Glide;
 pub(crate) use glide_energy::GlideAt;
+pub(crate) use point_state::PointState;
+pub use point_state::{PointDamage, PointHistory};
 pub(crate) use tie::Tie;
 pub(crate) use tie_energy::{Curvature, TieAt};

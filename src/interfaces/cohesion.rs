@@ -4,6 +4,7 @@
 //! there at first the opening is δ_n = a·n − γ, and the sliding δ_t = a − (a·n) n.
 
 use super::between::{Between, HeldFacets, held_facets};
+use super::broken_friction::Edges;
 use super::common_pieces::Facing;
 use super::covered::{Covered, LeftOut};
 use super::opposite::Opposite;
@@ -99,6 +100,33 @@ impl<const D: usize> Cohesion<D> {
             facets: held_facets(pairs, false),
             largest_gap: found.iter().map(|(_, point)| point.gap.abs()).fold(0.0, f64::max),
         })
+    }
+
+    /// The slip of a point that takes the place of another, at points of the mesh where both have the same elastic slip.
+    pub(crate) fn slip_of(
+        &self,
+        (before, old): (&Self, &CohesivePoint),
+        new: &CohesivePoint,
+        points: &[[f64; D]],
+        slip: [f64; 2],
+    ) -> [f64; 2] {
+        let named = |of: &Self, weights: &Weights| -> Weights {
+            weights.iter().map(|&(place, weight)| (of.nodes[place as usize], weight)).collect()
+        };
+        let corners = |of: &Self, point: &CohesivePoint| {
+            of.frames[point.frame as usize].each_ref().map(|weights| named(of, weights))
+        };
+        let [first, second] =
+            [(before, old), (self, new)].map(|(of, point)| (named(of, &point.jump), corners(of, point)));
+        if slip == [0.0; 2] || first == second {
+            return slip;
+        }
+        let at = |weights: &Weights| {
+            weights.iter().fold(Vector::<D>::zeros(), |x, &(node, w)| x + Vector::from(points[node as usize]) * w)
+        };
+        let [old, new] = [&first.1, &second.1].map(|corners| Edges::new(&corners.each_ref().map(at)));
+        let moved = at(&second.0) - at(&first.0);
+        old.zip(new).map_or([0.0; 2], |(old, new)| new.multiples(&(old.vector(&slip) + moved)))
     }
 
     /// Nodes of the first body on which a point hangs.

@@ -8,12 +8,14 @@
 //! ```
 //!
 //! where the last is there while damage d grows. It is not symmetric where the energy of fracture depends on the mode, which then changes
-//! as the interface opens on.
+//! as the interface opens on. Friction of the broken part adds its own (`broken_friction`).
 
+use super::broken_friction::{ByNode, Edges, Rub};
 use super::cohesion::{Cohesion, CohesivePoint};
-use super::cohesive_law::{CohesiveLaw, PointDamage, Response};
+use super::cohesive_law::{CohesiveLaw, Response};
 use super::frame::{Frame, Matrix};
 use super::place::Weights;
+use super::point_state::{PointDamage, PointHistory, PointState};
 use crate::geometry::Vector;
 use crate::overlap::{Block, BlockSum};
 use std::collections::BTreeMap;
@@ -33,6 +35,8 @@ pub(crate) enum Softened {
 pub(crate) struct CohesionAt<'a, const D: usize> {
     cohesion: &'a Cohesion<D>,
     frames: Vec<Frame<D>>,
+    /// None without friction, or without area.
+    edges: Vec<Option<Edges<D>>>,
     states: Vec<PointAt<D>>,
     stiffness: [f64; 2],
 }
@@ -43,6 +47,9 @@ pub(crate) struct PointAt<const D: usize> {
     apart: Vector<D>,
     along: f64,
     response: Response,
+    /// Friction of the broken part, and its stiffness.
+    rub: Option<Rub<D>>,
+    rub_stiffness: f64,
     pub(crate) opening: f64,
     pub(crate) sliding: Vector<D>,
     /// Of the second body on the first, a force by area, with its sign turned: positive along the normal of the second in tension.
@@ -51,6 +58,14 @@ pub(crate) struct PointAt<const D: usize> {
 
 impl<const D: usize> PointAt<D> {
     pub(crate) fn now(&self) -> PointDamage {
+        self.response.now.damage
+    }
+
+    pub(crate) fn history(&self) -> PointHistory {
+        self.response.now.history
+    }
+
+    pub(crate) fn state(&self) -> PointState {
         self.response.now
     }
 
@@ -60,31 +75,52 @@ impl<const D: usize> PointAt<D> {
     }
 
     pub(crate) fn stored(&self) -> f64 {
-        self.response.stored
+        let of_stick = self.rub.map_or(0.0, |rub| 0.5 * self.rub_stiffness * rub.elastic.norm_squared());
+        self.response.stored + of_stick
     }
+}
+
+/// What friction of the broken part has dissipated in the step, by area and by the stiffness: the part that slides is that of the middle of
+/// the step, and what has broken since takes what its stick stores.
+fn rubbed<const D: usize>(rub: &Rub<D>, [before, now]: [f64; 2]) -> f64 {
+    0.5 * (before + now) * rub.elastic.norm() * rub.slid() - 0.5 * (now - before) * rub.elastic.norm_squared()
 }
 
 impl<const D: usize> Cohesion<D> {
     /// At these points of the mesh, after what its points have been through (`&[]`: nothing). A facet that has collapsed has no normal: its
     /// points then only slide.
-    pub(crate) fn at(&self, points: &[[f64; D]], law: &CohesiveLaw, past: &[PointDamage]) -> CohesionAt<'_, D> {
+    pub(crate) fn at(&self, points: &[[f64; D]], law: &CohesiveLaw, past: &[PointState]) -> CohesionAt<'_, D> {
         let x: Vec<Vector<D>> = self.nodes.iter().map(|&node| Vector::from(points[node as usize])).collect();
         let sum = |weights: &Weights| {
             weights.iter().fold(Vector::<D>::zeros(), |sum, &(node, weight)| sum + x[node as usize] * weight)
         };
         let frame = |corners: &[Weights; D]| Frame::new(&corners.each_ref().map(sum)).unwrap_or_else(Frame::none);
         let frames: Vec<_> = self.frames.iter().map(frame).collect();
+        let edges: Vec<_> = match law.friction {
+            Some(_) => self.frames.iter().map(|corners| Edges::new(&corners.each_ref().map(sum))).collect(),
+            None => Vec::new(),
+        };
         let at = |(number, point): (usize, &CohesivePoint)| {
             let (apart, normal) = (sum(&point.jump), frames[point.frame as usize].normal);
             let along = apart.dot(&normal);
             let (opening, sliding) = (along - point.gap, apart - normal * along);
             let past = past.get(number).copied().unwrap_or_default();
-            let response = law.response(&past, opening, sliding.norm_squared());
-            let traction = normal * response.normal + sliding * response.shear_stiffness;
-            PointAt { apart, along, response, opening, sliding, traction }
+            let mut response = law.response(&past, opening, sliding.norm_squared());
+            let mut traction = normal * response.normal + sliding * response.shear_stiffness;
+            let edges = edges.get(point.frame as usize).and_then(Option::as_ref);
+            let rub = edges.zip(law.pressed(opening));
+            let rub = rub.map(|(edges, pressed)| Rub::new(edges, &sliding, past.history.slip, pressed));
+            let PointState { damage, history } = &mut response.now;
+            let rub_stiffness = if rub.is_some() { damage.damage * law.stiffness[1] } else { 0.0 };
+            if let Some(rub) = &rub {
+                history.slip = rub.slip;
+                history.rubbed += law.stiffness[1] * rubbed(rub, [past.damage.damage, damage.damage]);
+                traction += rub.elastic * rub_stiffness;
+            }
+            PointAt { apart, along, response, rub, rub_stiffness, opening, sliding, traction }
         };
         let states = self.points.iter().enumerate().map(at).collect();
-        CohesionAt { cohesion: self, frames, states, stiffness: law.stiffness }
+        CohesionAt { cohesion: self, frames, edges, states, stiffness: law.stiffness }
     }
 }
 
@@ -94,10 +130,12 @@ impl<const D: usize> CohesionAt<'_, D> {
         self.cohesion.points.iter().zip(&self.states)
     }
 
-    /// Energy that unloading would give back, and that has been dissipated.
-    pub(crate) fn energies(&self) -> [f64; 2] {
-        self.points().fold([0.0; 2], |[stored, dissipated], (point, at)| {
-            [stored + point.measure * at.stored(), dissipated + point.measure * at.now().dissipated]
+    /// Energy that unloading would give back, and that has been dissipated: as it broke, by friction and by viscosity.
+    pub(crate) fn energies(&self) -> [f64; 4] {
+        self.points().fold([0.0; 4], |sums, (point, at)| {
+            let PointHistory { rubbed, viscous, .. } = at.history();
+            let of_point = [at.stored(), at.now().dissipated, rubbed, viscous];
+            std::array::from_fn(|k| sums[k] + point.measure * of_point[k])
         })
     }
 
@@ -105,10 +143,25 @@ impl<const D: usize> CohesionAt<'_, D> {
     pub(crate) fn gradient(&self) -> Vec<Vector<D>> {
         let mut gradient = vec![Vector::zeros(); self.cohesion.nodes.len()];
         let mut loads = vec![Vector::<D>::zeros(); self.frames.len()];
+        let mut at_corners = vec![[Vector::<D>::zeros(); D]; if self.edges.is_empty() { 0 } else { self.frames.len() }];
         for (point, at) in self.points() {
             let traction = at.traction * point.measure;
             point.jump.iter().for_each(|&(node, weight)| gradient[node as usize] += traction * weight);
             loads[point.frame as usize] += at.apart * (point.measure * at.turning());
+            if let Some(rub) = at.rub.filter(|_| at.rub_stiffness > 0.0) {
+                let rubbing = rub.elastic * (point.measure * at.rub_stiffness);
+                loads[point.frame as usize] -= rubbing * at.along;
+                for corner in 1..D {
+                    let force = rubbing * rub.slip[corner - 1];
+                    at_corners[point.frame as usize][corner] -= force;
+                    at_corners[point.frame as usize][0] += force;
+                }
+            }
+        }
+        for (corners, forces) in self.cohesion.frames.iter().zip(&at_corners) {
+            for (corner, force) in corners.iter().zip(forces) {
+                corner.iter().for_each(|&(node, weight)| gradient[node as usize] += force * weight);
+            }
         }
         for (number, load) in loads.iter().enumerate() {
             for (corner, slope) in self.cohesion.frames[number].iter().zip(&self.frames[number].slopes) {
@@ -128,7 +181,8 @@ impl<const D: usize> CohesionAt<'_, D> {
                 square.hand_over(&self.cohesion.nodes, &mut sum);
                 square = Square::of(point, &self.cohesion.frames[point.frame as usize]);
             }
-            square.add(point, at, (&self.frames[point.frame as usize], self.stiffness), which);
+            let edges = self.edges.get(point.frame as usize).and_then(Option::as_ref);
+            square.add(point, at, (&self.frames[point.frame as usize], edges, self.stiffness), which);
         }
         square.hand_over(&self.cohesion.nodes, &mut sum);
         sum.into_blocks()
@@ -175,7 +229,13 @@ impl<const D: usize> Square<D> {
         sum.add_square(&nodes, &self.values);
     }
 
-    fn add(&mut self, point: &CohesivePoint, at: &PointAt<D>, (frame, full): (&Frame<D>, [f64; 2]), which: Softened) {
+    fn add(
+        &mut self,
+        point: &CohesivePoint,
+        at: &PointAt<D>,
+        (frame, edges, full): (&Frame<D>, Option<&Edges<D>>, [f64; 2]),
+        which: Softened,
+    ) {
         let count = self.nodes.len();
         let mut weights = vec![0.0; count];
         let mut places = 0..count;
@@ -199,6 +259,15 @@ impl<const D: usize> Square<D> {
             }
             None => (Vec::new(), Vec::new()),
         };
+        if let Some((rub, edges)) = at.rub.as_ref().zip(edges).filter(|_| at.now().damage > 0.0) {
+            let by = ByNode { jump: &weights, corners: &self.corners, slopes: &slopes, along: &along, damage: &damage };
+            let broken = [at.now().damage, full[1]];
+            let found = match which {
+                Softened::Secant => rub.secant(&by, normal, broken),
+                _ => rub.curvature(&by, (frame, edges), at.along, broken),
+            };
+            self.add_all(&found, point.measure, which == Softened::Symmetric);
+        }
         let (shear, turning) = (response.shear_stiffness, at.turning());
         let bent: Vec<Matrix<D>> = match which {
             Softened::Secant => Vec::new(),
@@ -232,6 +301,22 @@ impl<const D: usize> Square<D> {
                     if share != 0.0 {
                         (0..D).for_each(|i| (0..D).for_each(|j| value[i][j] += share * second[i][j]));
                     }
+                }
+            }
+        }
+    }
+}
+
+impl<const D: usize> Square<D> {
+    /// Adds what friction does, or its symmetric part.
+    fn add_all(&mut self, found: &[Matrix<D>], measure: f64, is_symmetric: bool) {
+        let count = self.nodes.len();
+        for (place, value) in self.values.iter_mut().enumerate() {
+            let other = &found[place % count * count + place / count];
+            for i in 0..D {
+                for j in 0..D {
+                    let own = found[place][i][j];
+                    value[i][j] += measure * if is_symmetric { 0.5 * (own + other[j][i]) } else { own };
                 }
             }
         }

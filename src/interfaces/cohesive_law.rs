@@ -13,6 +13,8 @@
 //! where a straight fall ends. The stiffness of sliding is k_t = k_n (G_n/G_t) (σ_t/σ_n)², by which m is the same in all modes: damage
 //! then never falls as the mode changes, and each path dissipates (Turon, Camanho, Costa, Renart 2010).
 
+use super::broken_friction::BrokenFriction;
+use super::point_state::{PointDamage, PointState};
 use crate::Error;
 
 /// What m is by default: damage begins at a hundredth of the opening at which the interface is broken.
@@ -45,6 +47,9 @@ pub struct Cohesive {
     /// How far apart faces that belong together may be, or how far they may overlap, a length; 0: a tenth of the mean facet
     /// of the body with the larger facets, all its faces included.
     pub reach: f64,
+    /// A time η, 0 by default: without. Damage then lags behind the law, d' = (D − d)/η, so that larger tractions are carried for a while;
+    /// [`Contact::set_time_step`](crate::Contact::set_time_step) says how long a step takes. What it dissipates is told apart.
+    pub viscosity: f64,
 }
 
 /// How the traction of a cohesive interface falls as it opens.
@@ -72,6 +77,7 @@ impl Cohesive {
             stiffness: 0.0,
             softening: Softening::Linear,
             reach: 0.0,
+            viscosity: 0.0,
         }
     }
 
@@ -98,6 +104,7 @@ impl Cohesive {
         }
         Error::check_not_negative("reach", self.reach)?;
         Error::check_not_negative("stiffness", self.stiffness)?;
+        Error::check_not_negative("viscosity", self.viscosity)?;
         if !(self.exponent.is_finite() && self.exponent >= 1.0) {
             return Err(Error::NotPositive { name: "mixed_mode_exponent", value: self.exponent });
         }
@@ -118,15 +125,6 @@ impl Cohesive {
     }
 }
 
-/// What a point of a cohesive interface carries from one step to the next.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct PointDamage {
-    /// 0: whole, 1: broken. It never falls.
-    pub damage: f64,
-    /// Energy by area that the point has dissipated.
-    pub dissipated: f64,
-}
-
 /// A law, ready to be asked.
 #[derive(Clone, Copy)]
 pub(crate) struct CohesiveLaw {
@@ -137,12 +135,16 @@ pub(crate) struct CohesiveLaw {
     brittleness: f64,
     exponent: f64,
     softening: Softening,
+    /// The part of the way to the damage of the law that damage goes in the step: 1 without viscosity.
+    part: f64,
+    pub(crate) is_viscous: bool,
+    pub(super) friction: Option<BrokenFriction>,
 }
 
 /// What a point does at an opening and a sliding.
 #[derive(Clone, Copy)]
 pub(super) struct Response {
-    pub(super) now: PointDamage,
+    pub(super) now: PointState,
     /// Energy by area that unloading would give back.
     pub(super) stored: f64,
     /// Traction along the normal, negative in compression, and its derivative at this damage.
@@ -161,7 +163,35 @@ impl CohesiveLaw {
         let onset = [options.normal_energy / brittleness, options.shear_energy / brittleness];
         let strengths = [options.normal_strength, options.shear_strength];
         let stiffness = [0, 1].map(|k| strengths[k] * strengths[k] / (2.0 * onset[k]));
-        Self { stiffness, onset, brittleness, exponent: options.exponent, softening: options.softening }
+        let Cohesive { exponent, softening, viscosity, .. } = *options;
+        let (part, is_viscous) = (1.0, viscosity > 0.0);
+        Self { stiffness, onset, brittleness, exponent, softening, part, is_viscous, friction: None }
+    }
+
+    /// With this viscosity in a step that takes so long; backward in time, so that no step is too long.
+    pub(crate) fn in_time(self, viscosity: f64, time_step: f64) -> Self {
+        let part = if viscosity > 0.0 { time_step / (viscosity + time_step) } else { 1.0 };
+        Self { part, ..self }
+    }
+
+    /// With friction of what is broken.
+    pub(crate) fn rubbing(self, friction: Option<BrokenFriction>) -> Self {
+        Self { friction, ..self }
+    }
+
+    /// The largest elastic slip of what is broken at an opening, and how it changes with that; `None` without friction.
+    pub(super) fn pressed(&self, opening: f64) -> Option<(f64, f64)> {
+        let BrokenFriction { coefficient, shear_limit } = self.friction?;
+        let [kn, kt] = self.stiffness;
+        if opening >= 0.0 {
+            return Some((0.0, 0.0));
+        }
+        let traction = coefficient * -opening * kn;
+        let most = traction >= shear_limit;
+        Some((
+            traction.min(shear_limit) / kt,
+            if most || coefficient.is_infinite() { 0.0 } else { -coefficient * kn / kt },
+        ))
     }
 
     /// Of opening or of sliding, whichever is larger.
@@ -176,27 +206,39 @@ impl CohesiveLaw {
     }
 
     /// At an opening and a squared sliding, after what a point has been through.
-    pub(super) fn response(&self, past: &PointDamage, opening: f64, sliding2: f64) -> Response {
+    pub(super) fn response(&self, past: &PointState, opening: f64, sliding2: f64) -> Response {
         let [kn, kt] = self.stiffness;
         let opened = opening.max(0.0);
         let of_sliding = 0.5 * kt * sliding2;
         let all = 0.5 * kn * opened * opened + of_sliding;
         let (mut now, mut growth) = (*past, None);
-        if all > 0.0 && past.damage < 1.0 {
+        now.history.reached = 0.0;
+        let PointDamage { damage: before, .. } = past.damage;
+        if all > 0.0 && before < 1.0 {
             let part = (of_sliding / all).min(1.0);
             let difference = self.onset[1] - self.onset[0];
             let onset = self.onset[0] + difference * part.powf(self.exponent);
             let q = (all / onset).sqrt();
-            let damage = self.damage(q);
-            if damage > past.damage {
-                now.damage = damage;
-                now.dissipated += onset * (self.spent(q) - self.spent(self.reached(past.damage))).max(0.0);
+            let target = self.damage(q);
+            if target > before {
+                let started = self.reached(before);
+                now.damage.damage = target;
+                let mut fracture = onset * (self.spent(q) - self.spent(started)).max(0.0);
+                if self.part < 1.0 {
+                    now.damage.damage = before + self.part * (target - before);
+                    let lost =
+                        onset * self.spent_in_time(q, (started.max(past.history.reached), before), now.damage.damage);
+                    fracture = onset * (self.spent(self.reached(now.damage.damage)) - self.spent(started)).max(0.0);
+                    now.history.viscous += (lost - fracture).max(0.0);
+                    now.history.reached = q;
+                }
+                now.damage.dissipated += fracture;
                 let by_part = difference * self.exponent * part.powf(self.exponent - 1.0);
-                let slope = self.slope(q) * q / (2.0 * all);
+                let slope = self.part * self.slope(q) * q / (2.0 * all);
                 growth = Some([slope * (1.0 + by_part * part / onset), -slope * by_part / onset]);
             }
         }
-        let left = 1.0 - now.damage;
+        let left = 1.0 - now.damage.damage;
         let normal_stiffness = if opening > 0.0 { left * kn } else { kn };
         let pressed = opening - opened;
         Response {
@@ -246,6 +288,16 @@ impl CohesiveLaw {
                 m * (1.0 - left) - u * left
             }
         }
+    }
+
+    /// ∫ q² dd over a step with viscosity, by Y₀: to what the step began with, q₀, damage goes on evenly in the step, and from there as q
+    /// grows. Where q falls it goes on evenly.
+    fn spent_in_time(&self, q: f64, (started, before): (f64, f64), after: f64) -> f64 {
+        if q < started {
+            return 0.5 * (started * started + q * q) * (after - before);
+        }
+        let held = self.part * (self.damage(started) - before);
+        0.5 * (started * started + q * q) * held + self.part * (self.spent(q) - self.spent(started))
     }
 
     /// The q of a damage below 1.

@@ -20,7 +20,6 @@ fn what_is_no_interface_is_refused_and_changes_nothing() {
     let wide = PairOptions::with_cohesive(Cohesive { reach: 0.3, ..law() });
     for options in [
         PairOptions { excluded: true, ..wide },
-        PairOptions { friction_coefficient: Some(0.3), ..wide },
         PairOptions { static_friction: Some(StaticFriction { coefficient: 0.5, weakening_slip: 0.1 }), ..wide },
     ] {
         assert!(matches!(refused([Body(0), Body(1)], options), Error::OfPair { .. }));

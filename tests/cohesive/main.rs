@@ -8,9 +8,11 @@ mod thin_bodies;
 mod changed;
 mod curve;
 mod derivatives;
+mod friction;
 mod history;
 mod messages;
 mod thin;
+mod viscosity;
 
 use fmc_contact::contact::{Cohesive, PairOptions};
 use fmc_contact::overlap::Partner::Body;

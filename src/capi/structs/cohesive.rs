@@ -22,8 +22,12 @@ pub struct fmc_cohesive {
     pub damaged_area: f64,
     /// Area of points that are broken.
     pub broken_area: f64,
+    /// Energy that friction of what is broken has dissipated, less what the stick of newly broken area stores.
+    pub rubbed: f64,
+    /// Energy that the viscosity has dissipated.
+    pub viscous: f64,
     /// Zero.
-    pub reserved: [u64; 4],
+    pub reserved: [u64; 3],
 }
 
 /// A point of a cohesive interface.
@@ -50,8 +54,12 @@ pub struct fmc_cohesive_point {
     pub damage: f64,
     /// Energy by area that has been dissipated then.
     pub dissipated: f64,
+    /// The same that friction of what is broken has dissipated.
+    pub rubbed: f64,
+    /// The same that the viscosity has dissipated.
+    pub viscous: f64,
     /// Zero.
-    pub reserved: [u64; 4],
+    pub reserved: [u64; 3],
 }
 
 impl From<Option<CohesiveSummary>> for fmc_cohesive {
@@ -66,7 +74,9 @@ impl From<Option<CohesiveSummary>> for fmc_cohesive {
             dissipated: found.dissipated,
             damaged_area: found.damaged_area,
             broken_area: found.broken_area,
-            reserved: [0; 4],
+            rubbed: found.rubbed,
+            viscous: found.viscous,
+            reserved: [0; 3],
         }
     }
 }
@@ -85,7 +95,9 @@ impl<const D: usize> From<&CohesivePoint<D>> for fmc_cohesive_point {
             traction: in_space(&one.traction),
             damage: one.damage,
             dissipated: one.dissipated,
-            reserved: [0; 4],
+            rubbed: one.rubbed,
+            viscous: one.viscous,
+            reserved: [0; 3],
         }
     }
 }

@@ -1,17 +1,17 @@
 //! What points of an interface have been through, brought to points that were found anew.
 
 use crate::geometry::Vector;
-use crate::interfaces::{Cohesion, PointDamage};
+use crate::interfaces::{Cohesion, PointState};
 use std::collections::BTreeMap;
 
 /// Every point of the second interface has been through what the nearest of the first has among those that hang on one of its nodes, both
-/// as they lie on the first body at these points of the mesh; one that has no such neighbour is whole. Where both have the same points all
+/// as they lie on the first body at these points of the mesh; its elastic slip stays; one that has no such neighbour is whole. Where both have the same points all
 /// is kept as it was.
 pub(super) fn carried<const D: usize>(
     [before, now]: [&Cohesion<D>; 2],
     points: &[[f64; D]],
-    past: &[PointDamage],
-) -> Vec<PointDamage> {
+    past: &[PointState],
+) -> Vec<PointState> {
     let mut of_node: BTreeMap<u32, Vec<usize>> = BTreeMap::new();
     for (number, point) in before.points.iter().enumerate().take(past.len()) {
         before.own_nodes(point).for_each(|node| of_node.entry(node).or_default().push(number));
@@ -22,7 +22,11 @@ pub(super) fn carried<const D: usize>(
         let near = now.own_nodes(point).filter_map(|node| of_node.get(&node)).flatten();
         let away = |number: &usize| (lies[*number] - at).norm_squared();
         let nearest = near.copied().min_by(|a, b| away(a).total_cmp(&away(b)).then(a.cmp(b)));
-        nearest.map_or_else(PointDamage::default, |number| past[number])
+        nearest.map_or_else(PointState::default, |number| {
+            let mut state = past[number];
+            state.history.slip = now.slip_of((before, &before.points[number]), point, points, state.history.slip);
+            state
+        })
     };
     now.points.iter().map(one).collect()
 }

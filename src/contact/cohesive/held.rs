@@ -1,17 +1,15 @@
 //! The cohesive interfaces of a contact.
 
 use super::carried::carried;
+use super::past::{Damage, Past};
 use crate::Error;
 use crate::contact::laws::{Answer, PairEnergy};
 use crate::contact::mesh::Mesh;
 use crate::contact::tangents::{Tangent, TangentPart};
 use crate::geometry::Weighting;
-use crate::interfaces::{Between, Cohesion, CohesionAt, Cohesive, CohesiveLaw, HeldFacets, PointDamage, Softened};
+use crate::interfaces::{Between, Cohesion, CohesionAt, Cohesive, CohesiveLaw, HeldFacets, PointState, Softened};
 use std::collections::BTreeMap;
 use std::mem::replace;
-
-/// What points have been through, by pair of bodies; nothing where a pair is not there.
-pub(crate) type Damage = BTreeMap<[usize; 2], Vec<PointDamage>>;
 
 /// Cohesive interfaces by pair of bodies, ascending.
 #[derive(Default)]
@@ -93,12 +91,13 @@ impl<const D: usize> Cohesions<D> {
     pub(crate) fn at(
         &self,
         points: &[[f64; D]],
-        damage: &Damage,
+        past: Past<D>,
     ) -> Result<Vec<(&Cohesion<D>, CohesionAt<'_, D>)>, Error> {
         let mut all = Vec::with_capacity(self.0.len());
-        for found in self.all() {
-            let (cohesion, law) = found?;
-            all.push((cohesion, cohesion.at(points, &law, past(damage, cohesion))));
+        for held in self.0.values() {
+            let cohesion = held.cohesion.as_ref().map_err(Clone::clone)?;
+            let law = past.law(&held.options, cohesion.bodies)?;
+            all.push((cohesion, cohesion.at(points, &law, past.states(cohesion))));
         }
         Ok(all)
     }
@@ -107,7 +106,7 @@ impl<const D: usize> Cohesions<D> {
     pub(crate) fn measured(
         &self,
         points: &[[f64; D]],
-        damage: &Damage,
+        past: Past<D>,
         (energy, part): (bool, Option<TangentPart>),
     ) -> Result<Vec<Answer<D>>, Error> {
         let one = |(cohesion, at): (&Cohesion<D>, CohesionAt<'_, D>)| {
@@ -122,57 +121,49 @@ impl<const D: usize> Cohesions<D> {
             });
             Answer { energy, tangent, nodal_sums: None, points: Vec::new() }
         };
-        Ok(self.at(points, damage)?.into_iter().map(one).collect())
+        Ok(self.at(points, past)?.into_iter().map(one).collect())
     }
 
     /// What points have been through after a step that ends at these points of the mesh.
-    pub(crate) fn damaged(&self, points: &[[f64; D]], damage: &Damage) -> Result<Damage, Error> {
+    pub(crate) fn damaged(&self, points: &[[f64; D]], past: Past<D>) -> Result<Damage, Error> {
         let one = |(cohesion, at): (&Cohesion<D>, CohesionAt<'_, D>)| {
-            (cohesion.bodies, at.points().map(|(_, point)| point.now()).collect())
+            (cohesion.bodies, at.points().map(|(_, point)| point.state()).collect())
         };
-        Ok(self.at(points, damage)?.into_iter().map(one).collect())
+        Ok(self.at(points, past)?.into_iter().map(one).collect())
     }
 
     /// The same as one list, by pair and point.
-    pub(crate) fn list(&self, damage: &Damage) -> Result<Vec<PointDamage>, Error> {
+    pub(crate) fn list(&self, damage: &Damage) -> Result<Vec<PointState>, Error> {
         let mut list = Vec::new();
         for found in self.all() {
             let (cohesion, _) = found?;
-            let known = past(damage, cohesion);
+            let known = damage.get(&cohesion.bodies).map_or(&[][..], Vec::as_slice);
             list.extend((0..cohesion.points.len()).map(|point| known.get(point).copied().unwrap_or_default()));
         }
         Ok(list)
     }
 
-    /// Of such a list.
+    /// Of such a list, whose values are `checked` one by one; `array` is its name.
     ///
     /// # Errors
-    /// [`Error::Length`]; [`Error::NotPositive`] for a damage outside 0 to 1, or an energy that is negative.
-    pub(crate) fn of_list(&self, list: &[PointDamage]) -> Result<Damage, Error> {
-        for one in list {
-            if !(0.0..=1.0).contains(&one.damage) {
-                return Err(Error::NotPositive { name: "damage", value: one.damage });
-            }
-            Error::check_not_negative("dissipated", one.dissipated)?;
+    /// [`Error::Length`]; those of a value.
+    pub(crate) fn of_list<T>(
+        &self,
+        damage: &Damage,
+        (array, list): (&'static str, &[T]),
+        put: impl Fn(&mut PointState, &T) -> Result<(), Error>,
+    ) -> Result<Damage, Error> {
+        let mut all = self.list(damage)?;
+        // A wrong value is named before a wrong number of them.
+        list.iter().try_for_each(|one| put(&mut PointState::default(), one))?;
+        if list.len() != all.len() {
+            return Err(Error::Length { array, expected: all.len(), found: list.len() });
         }
-        let counts = self.all().map(|found| found.map(|(cohesion, _)| (cohesion.bodies, cohesion.points.len())));
-        let counts = counts.collect::<Result<Vec<_>, _>>()?;
-        let expected = counts.iter().map(|(_, count)| count).sum();
-        if list.len() != expected {
-            return Err(Error::Length { array: "damage", expected, found: list.len() });
-        }
-        let mut rest = list;
-        let mut next = |count| {
-            let (own, others) = rest.split_at(count);
-            rest = others;
-            own.to_vec()
-        };
-        Ok(counts.into_iter().map(|(bodies, count)| (bodies, next(count))).collect())
+        all.iter_mut().zip(list).try_for_each(|(state, one)| put(state, one))?;
+        let mut rest = all.into_iter();
+        let found = self.all().map(|found| found.map(|(cohesion, _)| cohesion));
+        found.map(|found| found.map(|one| (one.bodies, rest.by_ref().take(one.points.len()).collect()))).collect()
     }
-}
-
-fn past<'a, const D: usize>(damage: &'a Damage, cohesion: &Cohesion<D>) -> &'a [PointDamage] {
-    damage.get(&cohesion.bodies).map_or(&[], Vec::as_slice)
 }
 
 fn found<const D: usize>(mesh: &Mesh<D>, weighting: Weighting, between: &Between) -> Result<Cohesion<D>, Error> {
@@ -182,7 +173,7 @@ fn found<const D: usize>(mesh: &Mesh<D>, weighting: Weighting, between: &Between
 
 /// What was put into the interface, stored and dissipated: no step makes it jump. Its area is what is not broken.
 fn pair_energy<const D: usize>(cohesion: &Cohesion<D>, at: &CohesionAt<'_, D>) -> PairEnergy<D> {
-    let [stored, dissipated] = at.energies();
+    let energy = at.energies().iter().sum();
     let (mut area, mut pulled) = (0.0, 0.0);
     for (point, at) in at.points() {
         area += if at.now().damage < 1.0 { point.measure } else { 0.0 };
@@ -190,7 +181,7 @@ fn pair_energy<const D: usize>(cohesion: &Cohesion<D>, at: &CohesionAt<'_, D>) -
     }
     PairEnergy::of_interface(
         cohesion.bodies,
-        (stored + dissipated, at.gradient()),
+        (energy, at.gradient()),
         (&cohesion.nodes, &cohesion.of_b),
         (area, pulled / cohesion.area),
         cohesion.left_out.iter().map(|left_out| left_out.warning(cohesion.bodies, cohesion.area)).collect(),

@@ -11,8 +11,12 @@ pub struct CohesiveSummary {
     pub count: usize,
     /// Energy that unloading would give back.
     pub stored: f64,
-    /// Energy that has been dissipated since nothing was damaged.
+    /// Energy that has been dissipated since nothing was damaged, as it broke.
     pub dissipated: f64,
+    /// Energy that friction of what is broken has dissipated, less what the stick of newly broken area stores.
+    pub rubbed: f64,
+    /// Energy that the viscosity has dissipated.
+    pub viscous: f64,
     /// Area of points that are damaged, broken ones among them.
     pub damaged_area: f64,
     /// Area of points that are broken.
@@ -38,6 +42,10 @@ pub struct CohesivePoint<const D: usize> {
     pub damage: f64,
     /// See `damage`.
     pub dissipated: f64,
+    /// The same that friction and the viscosity have dissipated.
+    pub rubbed: f64,
+    /// See `rubbed`.
+    pub viscous: f64,
 }
 
 /// A cohesive interface that breaks.
@@ -49,4 +57,6 @@ pub(crate) struct Breaking {
     pub(crate) broken: f64,
     /// The largest forces, before damage grew, along the normals and across them.
     pub(crate) strengths: [f64; 2],
+    /// Whether it has a viscosity.
+    pub(crate) is_viscous: bool,
 }

@@ -36,7 +36,7 @@ fn through_interfaces<const D: usize>(
     points: &[[f64; D]],
     conductance: &Conductance,
 ) -> Result<Vec<Vec<Block<1>>>, Error> {
-    let Contact { mesh, method, ties, glides, cohesions, history, .. } = contact;
+    let Contact { mesh, method, ties, glides, cohesions, .. } = contact;
     let mut parts = Vec::new();
     if ties.is_empty() && glides.is_empty() && cohesions.is_empty() {
         return Ok(parts);
@@ -56,7 +56,7 @@ fn through_interfaces<const D: usize>(
         let at = glide.at(points, stiffness(glide.first.between.bodies), multipliers);
         parts.push(of_glide(glide, &at, &surfaces, conductance));
     }
-    for (cohesion, at) in cohesions.at(points, &history.damage)? {
+    for (cohesion, at) in cohesions.at(points, contact.past())? {
         parts.push(of_cohesion(cohesion, &at, conductance));
     }
     Ok(parts)

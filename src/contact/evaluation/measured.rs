@@ -52,8 +52,8 @@ pub(super) fn measured_pairs<const D: usize>(
         answers.extend(contact.glides.measured(coords.unshifted, stiffness, (asked.energy, asked.tangent))?);
     }
     if !contact.cohesions.is_empty() {
-        let damage = &contact.history.damage;
-        answers.extend(contact.cohesions.measured(coords.unshifted, damage, (asked.energy, asked.tangent))?);
+        let past = contact.past();
+        answers.extend(contact.cohesions.measured(coords.unshifted, past, (asked.energy, asked.tangent))?);
     }
     let mut tractions: Vec<_> = tractions.into_iter().flatten().collect();
     if asked.apart {

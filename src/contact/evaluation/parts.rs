@@ -2,7 +2,7 @@
 
 use super::state::LastState;
 use crate::Error;
-use crate::contact::cohesive::Cohesions;
+use crate::contact::cohesive::{Cohesions, Past};
 use crate::contact::glides::Glides;
 use crate::contact::history::History;
 use crate::contact::mesh::Mesh;
@@ -28,6 +28,14 @@ pub struct Contact<const D: usize> {
     pub(crate) cohesions: Cohesions<D>,
     /// Nothing that any result depends on.
     pub(crate) state: LastState<D>,
+}
+
+impl<const D: usize> Contact<D> {
+    /// What its cohesive interfaces are asked with.
+    pub(crate) fn past(&self) -> Past<'_, D> {
+        let Self { partners, method, history, .. } = self;
+        Past { damage: &history.damage, time_step: history.time_step, partners, options: method.options() }
+    }
 }
 
 /// See [`Contact::new`].

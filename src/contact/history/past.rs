@@ -24,6 +24,8 @@ pub(crate) struct History<const D: usize> {
     pub(crate) multipliers: Multipliers<D>,
     /// What cohesive interfaces have been through in the steps that were accepted.
     pub(crate) damage: Damage,
+    /// How long a step takes, for their viscosity; 0: nothing was said.
+    pub(crate) time_step: f64,
     /// Factor by which the contact was made stiffer since it was made.
     pub(crate) stiffened: f64,
     /// Where tangents are those of surfaces that are apart, while an equilibrium without contact is sought: nowhere else, should the
@@ -51,6 +53,7 @@ impl<const D: usize> History<D> {
             patches: KeptPatches::none(),
             multipliers: Multipliers::default(),
             damage: Damage::new(),
+            time_step: 0.0,
             stiffened: 1.0,
             apart_at: None,
             last: None,

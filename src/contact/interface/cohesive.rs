@@ -3,7 +3,7 @@
 use crate::Error;
 use crate::contact::cohesive::{Breaking, CohesivePoint, CohesiveSummary};
 use crate::contact::evaluation::Contact;
-use crate::interfaces::PointDamage;
+use crate::interfaces::{PointDamage, PointHistory};
 use crate::overlap::Partner;
 
 impl<const D: usize> Contact<D> {
@@ -16,9 +16,9 @@ impl<const D: usize> Contact<D> {
         let pair = self.partners.checked_pair(bodies.map(Partner::Body), self.mesh.surface.body_count())?;
         let points = self.mesh.points(coords)?;
         self.mesh.surface.check_coords(&points, false)?;
-        let all = self.cohesions.at(&points, &self.history.damage)?;
+        let all = self.cohesions.at(&points, self.past())?;
         Ok(all.into_iter().find(|(cohesion, _)| cohesion.bodies.map(Partner::Body) == pair).map(|(cohesion, at)| {
-            let [stored, dissipated] = at.energies();
+            let [stored, dissipated, rubbed, viscous] = at.energies();
             let area_of = |is: fn(f64) -> bool| {
                 // The sum of none would be −0.
                 at.points().filter(|(_, at)| is(at.now().damage)).fold(0.0, |sum, (point, _)| sum + point.measure)
@@ -29,6 +29,8 @@ impl<const D: usize> Contact<D> {
                 count: cohesion.points.len(),
                 stored,
                 dissipated,
+                rubbed,
+                viscous,
                 damaged_area: area_of(|damage| damage > 0.0),
                 broken_area: area_of(|damage| damage >= 1.0),
             }
@@ -44,7 +46,7 @@ impl<const D: usize> Contact<D> {
             return Ok(Vec::new());
         }
         let points = self.mesh.points(coords)?;
-        let (at, before) = (self.cohesions.at(&points, &self.history.damage)?, self.damage()?);
+        let (at, before) = (self.cohesions.at(&points, self.past())?, self.damage()?);
         let (mut found, mut before) = (Vec::new(), before.iter());
         for ((cohesion, at), law) in at.into_iter().zip(self.cohesions.all()) {
             let (_, law) = law?;
@@ -57,7 +59,8 @@ impl<const D: usize> Contact<D> {
                 (0..2).for_each(|k| strengths[k] += point.measure * left[k]);
             }
             if damaged > 0.0 {
-                found.push(Breaking { bodies: cohesion.bodies, damaged, broken, strengths });
+                let is_viscous = law.is_viscous;
+                found.push(Breaking { bodies: cohesion.bodies, damaged, broken, strengths, is_viscous });
             }
         }
         Ok(found)
@@ -71,7 +74,7 @@ impl<const D: usize> Contact<D> {
         let points = self.mesh.points(coords)?;
         self.mesh.surface.check_coords(&points, false)?;
         let mut found = Vec::new();
-        for (cohesion, at) in self.cohesions.at(&points, &self.history.damage)? {
+        for (cohesion, at) in self.cohesions.at(&points, self.past())? {
             found.extend(at.points().map(|(point, at)| CohesivePoint {
                 bodies: cohesion.bodies,
                 position: cohesion.position(point, &points).into(),
@@ -81,27 +84,72 @@ impl<const D: usize> Contact<D> {
                 traction: at.traction.into(),
                 damage: at.now().damage,
                 dissipated: at.now().dissipated,
+                rubbed: at.history().rubbed,
+                viscous: at.history().viscous,
             }));
         }
         Ok(found)
     }
 
-    /// What all points of cohesive interfaces have been through in the steps that were accepted ([`Self::commit_step`]), in the order of
-    /// [`Self::cohesive_points`]. With the coordinates it is all that a restart needs of them.
+    /// How far all points of cohesive interfaces are broken after the steps that were accepted ([`Self::commit_step`]), in the order of
+    /// [`Self::cohesive_points`]. With the coordinates it is all that a restart needs of them, but for friction and viscosity
+    /// ([`Self::cohesive_history`]).
     ///
     /// # Errors
     /// [`Error::Untied`] as [`Self::cohesive`].
     pub fn damage(&self) -> Result<Vec<PointDamage>, Error> {
-        self.cohesions.list(&self.history.damage)
+        Ok(self.cohesions.list(&self.history.damage)?.iter().map(|state| state.damage).collect())
     }
 
-    /// Sets it, for a restart or for an interface that is damaged at first: a crack.
+    /// Sets it, for a restart or for an interface that is damaged at first: a crack. What [`Self::cohesive_history`] says stays.
     ///
     /// # Errors
     /// [`Error::Length`]; [`Error::NotPositive`] for a damage outside 0 to 1 or a negative energy; [`Error::Untied`]. Nothing has then
     /// changed.
     pub fn set_damage(&mut self, damage: &[PointDamage]) -> Result<(), Error> {
-        self.history.damage = self.cohesions.of_list(damage)?;
+        self.history.damage = self.cohesions.of_list(&self.history.damage, ("damage", damage), |state, one| {
+            state.damage = *one;
+            if !(0.0..=1.0).contains(&one.damage) {
+                return Err(Error::NotPositive { name: "damage", value: one.damage });
+            }
+            Error::check_not_negative("dissipated", one.dissipated)
+        })?;
+        Ok(())
+    }
+
+    /// What else these points have been through: the slip of what is broken, and what friction and viscosity have taken. A restart sets it,
+    /// with the damage.
+    ///
+    /// # Errors
+    /// As [`Self::damage`].
+    pub fn cohesive_history(&self) -> Result<Vec<PointHistory>, Error> {
+        Ok(self.cohesions.list(&self.history.damage)?.iter().map(|state| state.history).collect())
+    }
+
+    /// Sets it.
+    ///
+    /// # Errors
+    /// [`Error::Length`]; [`Error::NotPositive`] for what is not finite, and for a negative energy of the viscosity; [`Error::Untied`]. Nothing
+    /// has then changed.
+    pub fn set_cohesive_history(&mut self, history: &[PointHistory]) -> Result<(), Error> {
+        self.history.damage = self.cohesions.of_list(&self.history.damage, ("history", history), |state, one| {
+            state.history = *one;
+            one.check()
+        })?;
+        Ok(())
+    }
+
+    /// How long the step takes that is under way, and each later one until this is called again: what the viscosity of cohesive interfaces
+    /// goes by.
+    ///
+    /// # Errors
+    /// [`Error::NotPositive`].
+    pub fn set_time_step(&mut self, time_step: f64) -> Result<(), Error> {
+        if !(time_step.is_finite() && time_step > 0.0) {
+            return Err(Error::NotPositive { name: "time_step", value: time_step });
+        }
+        self.history.time_step = time_step;
+        self.state.forget_found();
         Ok(())
     }
 }

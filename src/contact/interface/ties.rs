@@ -79,7 +79,7 @@ impl<const D: usize> Contact<D> {
         let part = Some(TangentPart::Semidefinite);
         let mut parts = self.ties.measured(&points, stiffness, (false, part))?;
         parts.extend(self.glides.measured(&points, stiffness, (false, part))?);
-        parts.extend(self.cohesions.measured(&points, &self.history.damage, (false, part))?);
+        parts.extend(self.cohesions.measured(&points, self.past(), (false, part))?);
         let tangent = Tangent::sum(parts.into_iter().filter_map(|part| part.tangent).collect());
         let tangent = match self.mesh.surface.division() {
             Some(division) => tangent.onto_nodes(division),

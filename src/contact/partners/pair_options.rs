@@ -13,7 +13,7 @@ pub struct PairOptions {
     pub excluded: bool,
     /// Energy law of the pair and its stiffness; `None`: those of the options, also after they change.
     pub law: Option<EnergyLaw>,
-    /// Coefficient of friction of the pair, at least 0; `None`: that of the options, also after it changes. All else of the
+    /// Coefficient of friction of the pair, at least 0, also of what is broken of a cohesive interface; `None`: that of the options, also after it changes. All else of the
     /// friction is that of the options.
     pub friction_coefficient: Option<f64>,
     /// Friction of the pair at rest; `None`: that of the options, or none where the pair has a coefficient of its own.
@@ -71,7 +71,8 @@ pub enum Interface {
     Rough,
     /// They are held together where their faces face one another without deformation, as those that are tied, but by an interface that opens,
     /// slides and breaks: see [`Cohesive`]. They are in no contact: the interface carries compression with the stiffness that it has
-    /// without damage, at the material points that faced one another at first, also where it is broken.
+    /// without damage, at the material points that faced one another at first, also where it is broken. What is broken and pressed rubs,
+    /// by the coefficient of the pair and the shear limit of the options.
     ///
     /// Its damage grows in evaluations, and is kept by [`Contact::commit_step`](crate::Contact::commit_step); set anew with other options, or
     /// with another mesh without deformation, it is whole again.

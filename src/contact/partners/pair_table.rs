@@ -188,6 +188,7 @@ fn check_interface(pair: &[Partner; 2], options: &PairOptions, law: &EnergyLaw) 
     };
     let is_held = !matches!(interface, Interface::Contact | Interface::Rough);
     let has_contact = options.surfaces.is_some() && !options.excluded;
+    let is_cohesive = matches!(interface, Interface::Cohesive(_));
     let what = match pair {
         _ if !is_held && options.surfaces.is_some() => "named surfaces of a pair that nothing holds together",
         _ if interface == Interface::Contact => return Ok(()),
@@ -212,10 +213,14 @@ fn check_interface(pair: &[Partner; 2], options: &PairOptions, law: &EnergyLaw) 
         _ if has_contact && !matches!(law, EnergyLaw::Depth { .. }) => {
             "named surfaces with another law than depth, by which the other faces press"
         }
-        _ if rubs && !has_contact => of(
+        // What is broken rubs, by one coefficient.
+        _ if is_cohesive && !has_contact && options.static_friction.is_some() => {
+            "friction at rest of bodies with a cohesive interface, which has one coefficient"
+        }
+        _ if rubs && !is_cohesive && !has_contact => of(
             "friction of bodies that are tied: they do not slide",
             "friction of bodies that do not separate: they slide freely",
-            "friction of bodies with a cohesive interface, which has none",
+            "",
         ),
         _ if options.gap_offset != 0.0 => {
             "a gap offset of bodies that are tied, do not separate, or have a cohesive interface: their gap is kept as it is"

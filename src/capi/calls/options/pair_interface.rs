@@ -65,6 +65,7 @@ pub(super) struct InterfaceFields {
     pub(super) normal_energy: f64,
     pub(super) shear_energy: f64,
     pub(super) mixed_mode_exponent: f64,
+    pub(super) viscosity: f64,
 }
 
 impl Default for InterfaceFields {
@@ -79,6 +80,7 @@ impl Default for InterfaceFields {
             normal_energy: 0.0,
             shear_energy: 0.0,
             mixed_mode_exponent: 0.0,
+            viscosity: 0.0,
         }
     }
 }
@@ -107,6 +109,7 @@ impl From<Interface> for InterfaceFields {
                 normal_energy: own.normal_energy,
                 shear_energy: own.shear_energy,
                 mixed_mode_exponent: own.exponent,
+                viscosity: own.viscosity,
             },
         }
     }
@@ -128,6 +131,7 @@ impl InterfaceFields {
                 stiffness: self.stiffness,
                 softening: if softening == "linear" { Softening::Linear } else { Softening::Exponential },
                 reach: self.reach,
+                viscosity: self.viscosity,
             }));
         }
         let of_cohesive = [
@@ -136,6 +140,7 @@ impl InterfaceFields {
             ("normal_energy", self.normal_energy != 0.0),
             ("shear_energy", self.shear_energy != 0.0),
             ("mixed_mode_exponent", self.mixed_mode_exponent != 0.0),
+            ("viscosity", self.viscosity != 0.0),
             ("softening", softening != "linear"),
         ];
         let conflict = |key: &str, of: &str| {

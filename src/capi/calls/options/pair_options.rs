@@ -48,8 +48,8 @@ pub struct fmc_pair_options {
     /// rounded, and what holds for `FMC_SHAPE_SIGNED_DISTANCE` holds for it. Between bodies, and of one with itself,
     /// only with the law "depth" and not positive: -c lets either body in by c before it presses.
     pub gap_offset: f64,
-    /// Coefficient of friction, at least 0 or infinite, or `FMC_PAIR_FRICTION_OF_CONTEXT`, the default. All else of the friction is that of
-    /// the context's options.
+    /// Coefficient of friction, at least 0 or infinite, or `FMC_PAIR_FRICTION_OF_CONTEXT`, the default; with
+    /// `FMC_INTERFACE_COHESIVE` that of what is broken. All else of the friction is that of the context's options.
     pub friction_coefficient: f64,
     /// A value of `fmc_law`, or `FMC_PAIR_LAW_OF_CONTEXT`, the default.
     pub law: i32,
@@ -85,6 +85,9 @@ pub struct fmc_pair_options {
     pub surface_a: i32,
     /// The same of `b`. Both are 0, or neither.
     pub surface_b: i32,
+    /// With `FMC_INTERFACE_COHESIVE`: a time by which damage lags behind the law, so that searches pass where a structure snaps; 0, the
+    /// default: none. `fmc_context_set_time_step` says how long a step takes.
+    pub viscosity: f64,
     /// Zero. Room for options of later versions.
     pub reserved: [u64; 3],
 }
@@ -112,6 +115,7 @@ impl Default for fmc_pair_options {
             mixed_mode_exponent: 0.0,
             surface_a: 0,
             surface_b: 0,
+            viscosity: 0.0,
             reserved: [0; 3],
         }
     }
@@ -134,12 +138,21 @@ impl From<PairOptions> for fmc_pair_options {
             normal_energy,
             shear_energy,
             mixed_mode_exponent,
+            viscosity,
         } = options.interface.into();
         let number = |surface: usize| i32::try_from(surface).unwrap_or(i32::MAX);
         let [surface_a, surface_b] = options.surfaces.map_or([0; 2], |both| both.map(number));
         let own = Self { surface_a, surface_b, ..own };
         let own = Self { static_coefficient, weakening_slip, interface_kind, softening, stiffness, reach, ..own };
-        let own = Self { normal_strength, shear_strength, normal_energy, shear_energy, mixed_mode_exponent, ..own };
+        let own = Self {
+            normal_strength,
+            shear_strength,
+            normal_energy,
+            shear_energy,
+            mixed_mode_exponent,
+            viscosity,
+            ..own
+        };
         match options.law.map(LawFields::from) {
             None => own,
             Some(LawFields { law, stiffness, exponent, smoothing_length }) => {
@@ -178,6 +191,7 @@ impl fmc_pair_options {
             normal_energy: self.normal_energy,
             shear_energy: self.shear_energy,
             mixed_mode_exponent: self.mixed_mode_exponent,
+            viscosity: self.viscosity,
         }
     }
 

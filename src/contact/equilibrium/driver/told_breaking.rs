@@ -17,7 +17,11 @@ pub(super) fn with_what_breaks<const D: usize>(search: &Search<D>, trouble: Trou
             search.options.max_solves
         ),
     };
-    trouble.and(&format!("{}; {help}", all.join("; ")))
+    let viscous = match search.broken.iter().all(|one| one.is_viscous) {
+        true => "with a smaller time step, or a larger viscosity",
+        false => "or give the interface a viscosity (with a time step)",
+    };
+    trouble.and(&format!("{}; {help}, {viscous}", all.join("; ")))
 }
 
 fn told<const D: usize>(search: &Search<D>, one: &Breaking) -> String {
