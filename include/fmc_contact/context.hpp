@@ -484,6 +484,15 @@ class Context : public AddsShapes<Context> {
     return detail::rows<double>([&](auto... room) { return fmc_context_damage(get(), room...); });
   }
   void set_damage(View<const double> damage) { call(fmc_context_set_damage(get(), damage.data(), damage.size())); }
+  // What else these points have been through, by friction and viscosity, five numbers for each; see `fmc_context_cohesive_history`.
+  std::vector<double> cohesive_history() const {
+    return detail::rows<double>([&](auto... room) { return fmc_context_cohesive_history(get(), room...); });
+  }
+  void set_cohesive_history(View<const double> history) {
+    call(fmc_context_set_cohesive_history(get(), history.data(), history.size()));
+  }
+  // How long a step takes, for the viscosity of cohesive interfaces.
+  void set_time_step(double time_step) { call(fmc_context_set_time_step(get(), time_step)); }
 
   // Moves surfaces out by what they penetrate, see `fmc_context_augment`.
   fmc_augmentation augment(Coords coords, double tolerance, double reach = 0) {

@@ -107,6 +107,19 @@ void forces_and_getters() {
   contact.set_damage(damage);
   EXPECT(contact.damage() == damage && contact.cohesive(0, 1, coords).broken_area > 0);
   EXPECT(refused(FMC_ERROR_LENGTH, "damage", [&] { contact.set_damage({1.0}); }));
+  auto past = contact.cohesive_history();
+  EXPECT(past.size() == 5 * glue.point_count);
+  past[2] = 0.25;
+  contact.set_cohesive_history(past);
+  EXPECT(contact.cohesive_history() == past && contact.cohesive(0, 1, coords).rubbed > 0);
+  EXPECT(refused(FMC_ERROR_LENGTH, "history", [&] { contact.set_cohesive_history({1.0}); }));
+  // With a viscosity a step has a length in time.
+  own.viscosity = 0.5;
+  contact.set_pair_options(a, b, own);
+  EXPECT(refused(FMC_ERROR_UNSUPPORTED, "without a time step", [&] { contact.cohesive(0, 1, coords); }));
+  EXPECT(refused(FMC_ERROR_NOT_POSITIVE, "time_step", [&] { contact.set_time_step(0); }));
+  contact.set_time_step(0.1);
+  EXPECT(contact.cohesive(0, 1, coords).viscous >= 0);
   // Sliding without separation, the tractions are the force too; rough, the pair is in contact again.
   own = fmc::PairOptions();
   own.interface_kind = FMC_INTERFACE_NO_SEPARATION;

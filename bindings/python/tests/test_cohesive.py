@@ -165,3 +165,46 @@ def test_what_is_broken_stays_so_where_points_are_found_anew():
     assert contact.cohesive.damage[:, 0].max() == damage[:, 0].max()
     before = damage[:, 1].mean()
     assert contact.cohesive.damage[:, 1].mean() == pytest.approx(before, rel=0.05)
+
+
+def test_what_is_broken_rubs_and_a_restart_goes_on():
+    contact, other = glued(friction_coefficient=0.3), glued(friction_coefficient=0.3)
+    assert contact.pairs.options(0, 1)["friction_coefficient"] == 0.3
+    # Pressed by 50 σ²/G times 1e-3, sheared until it is broken: μ p remains.
+    pressure = 50 * 2.0**2 / 0.1 * 1e-3
+    broken = moved(0.4, -1e-3)
+    assert contact.evaluate(broken).forces[4:].sum(0) / 2.0 == pytest.approx([-0.3 * pressure, pressure], abs=1e-10)
+    contact.friction.commit_step(broken)
+    told, points = contact.cohesive.interface(0, 1, broken), contact.cohesive.points(broken)
+    assert told.dissipated == pytest.approx(0.4 * 2.0) and told.viscous == 0.0
+    assert told.rubbed == pytest.approx((points.area * points.rubbed).sum()) and told.rubbed > 0
+    damage, history = contact.cohesive.damage, contact.cohesive.history
+    assert history.shape == (len(points), 5) and np.allclose(history[:, 1], 0) and history[:, 0].all()
+    other.cohesive.damage, other.cohesive.history = damage, history
+    for coords in (moved(0.3999, -1e-3), moved(0.2, -2e-3)):
+        assert (contact.evaluate(coords).forces == other.evaluate(coords).forces).all()
+    for wrong in (history[:-1], history.ravel(), history * np.nan):
+        with pytest.raises(FmcError):
+            other.cohesive.history = wrong
+    with pytest.raises(FmcError, match="friction at rest of bodies with a cohesive interface"):
+        glued(static_coefficient=0.4, weakening_slip=0.1)
+
+
+def test_viscosity_holds_damage_back():
+    contact = glued(viscosity=0.5)
+    assert contact.pairs.options(0, 1)["viscosity"] == 0.5
+    with pytest.raises(FmcError, match=r"without a time step.*set_time_step"):
+        contact.evaluate(COORDS)
+    for wrong in (0.0, -1.0, np.nan):
+        with pytest.raises(errors.NotPositiveError):
+            contact.cohesive.set_time_step(wrong)
+    contact.cohesive.set_time_step(0.5)
+    # Broken by the law, half broken after a time of η.
+    at = moved(0.0, 0.2)
+    assert contact.cohesive.points(at).damage == pytest.approx(0.5)
+    contact.friction.commit_step(at)
+    assert contact.cohesive.points(at).damage == pytest.approx(0.75)
+    told = contact.cohesive.interface(0, 1, at)
+    assert told.viscous > 0 and contact.evaluate(at).energy == pytest.approx(told.stored + told.dissipated + told.viscous)
+    with pytest.raises(FmcError, match="'viscosity' of a pair belongs to the interface 'cohesive'"):
+        contact.pairs.set(0, 1, viscosity=0.5)

@@ -58,6 +58,7 @@ def test_a_stiffness_alone_takes_the_law_with_its_exponent() -> None:
         "normal_energy": 0.0,
         "shear_energy": 0.0,
         "mixed_mode_exponent": 0.0,
+        "viscosity": 0.0,
         "softening": "linear",
         "transverse_coefficient": None,
         "direction": None,

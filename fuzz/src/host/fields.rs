@@ -115,6 +115,16 @@ impl Host {
             let given = unless(hole, 4, damage.ptr()).cast_const();
             let status = checked(fmc_context_set_damage(self.context, given, numbers));
             assert!(status == OK || hole == 4);
+            assert_eq!(checked(fmc_context_cohesive_history(self.context, nothing, 0, &raw mut numbers)), OK);
+            assert_eq!(numbers, 5 * count);
+            let history = Guarded::new(&vec![0.0; numbers]);
+            let filled = fmc_context_cohesive_history(self.context, history.ptr(), numbers, std::ptr::null_mut());
+            assert_eq!(checked(filled), OK);
+            assert!(history.values().iter().all(|x| x.is_finite()));
+            let given = unless(hole, 4, history.ptr()).cast_const();
+            let status = checked(fmc_context_set_cohesive_history(self.context, given, numbers));
+            assert!(status == OK || hole == 4);
+            assert_eq!(checked(fmc_context_set_time_step(self.context, 0.1)), OK);
         }
     }
 

@@ -31,7 +31,11 @@ class CohesiveInterface:
     stored : float
         Energy that unloading would give back.
     dissipated : float
-        Energy that has been dissipated since nothing was damaged.
+        Energy that has been dissipated since nothing was damaged, as it broke.
+    rubbed : float
+        Energy that friction of what is broken has dissipated, minus what the stick of newly broken area stores.
+    viscous : float
+        Energy that the viscosity has dissipated.
     damaged_area : float
         Area of points that are damaged, broken ones among them.
     broken_area : float
@@ -50,6 +54,8 @@ class CohesiveInterface:
     dissipated: float
     damaged_area: float
     broken_area: float
+    rubbed: float
+    viscous: float
 
 
 @dataclass(frozen=True, eq=False)
@@ -72,8 +78,8 @@ class CohesivePoints:
         Traction on the second body (force by area), along its outward normal where the bodies are pulled apart.
     damage : ndarray, (m,)
         0: whole, 1: broken, as it would be after a step that ends here.
-    dissipated : ndarray, (m,)
-        Energy by area that has been dissipated then.
+    dissipated, rubbed, viscous : ndarray, (m,)
+        Energies by area that have been dissipated then: as it broke, by friction and by viscosity.
 
     Examples
     --------
@@ -89,6 +95,8 @@ class CohesivePoints:
     traction: np.ndarray
     damage: np.ndarray
     dissipated: np.ndarray
+    rubbed: np.ndarray
+    viscous: np.ndarray
 
     def __len__(self) -> int:
         return len(self.area)
@@ -142,7 +150,7 @@ class CohesiveInterfaces:
         view, found = coords_view(coords, self._core.dim), fmc_cohesive()
         with self._core.handle:
             self._core.handle.call(library.fmc_context_cohesive, *bodies, byref(view.struct), byref(found))
-        energies = (found.stored, found.dissipated, found.damaged_area, found.broken_area)
+        energies = (found.stored, found.dissipated, found.damaged_area, found.broken_area, found.rubbed, found.viscous)
         return CohesiveInterface(found.area, found.largest_gap, found.point_count, *energies)
 
     def points(self, coords: ArrayLike) -> CohesivePoints:
@@ -183,14 +191,16 @@ class CohesiveInterfaces:
             traction=row["traction"][:, :dim].copy(),
             damage=row["damage"].copy(),
             dissipated=row["dissipated"].copy(),
+            rubbed=row["rubbed"].copy(),
+            viscous=row["viscous"].copy(),
         )
 
     @property
     def damage(self) -> np.ndarray:
         """What all points have been through in the steps that were accepted, in the order of ``points``, (m, 2).
 
-        Columns: damage, 0 to 1; energy by area that was dissipated. With the coordinates you need nothing else for a restart. Set it
-        also for an interface that is damaged at first: a damage of 1 is a crack.
+        Columns: damage, 0 to 1; energy by area that was dissipated. With the coordinates you need nothing else for a restart, but
+        ``history`` with friction or viscosity. Set it also for an interface that is damaged at first: a damage of 1 is a crack.
 
         Raises
         ------
@@ -221,3 +231,60 @@ class CohesiveInterfaces:
             raise LengthError(str(shape_error("damage", values.shape, "(points, 2)")))
         with self._core.handle:
             self._core.handle.call(library.fmc_context_set_damage, values, values.size)
+
+    @property
+    def history(self) -> np.ndarray:
+        """What else these points have been through, (m, 5): a restart sets it after ``damage``. All 0 without friction and viscosity.
+
+        Columns: two of the slip of what is broken, in edges of the facet of the second body; energies by area that friction and viscosity
+        have dissipated; and where the point was when the step began, while viscosity holds its damage back.
+
+        Raises
+        ------
+        LengthError
+            If the shape is not (m, 5).
+        NotPositiveError
+            If a value is not finite, or the energy of the viscosity is negative. The history stays as it was.
+        UntiedError
+            As ``interface``.
+
+        Examples
+        --------
+        >>> contact.cohesive.history.shape
+        (0, 5)
+        >>> contact.cohesive.history = np.zeros((0, 5))
+        """
+        count = c_size_t()
+        with self._core.handle:
+            self._core.handle.call(library.fmc_context_cohesive_history, None, 0, byref(count))
+            found = np.empty((count.value // 5, 5))
+            self._core.handle.call(library.fmc_context_cohesive_history, found, found.size, None)
+        return found
+
+    @history.setter
+    def history(self, history: ArrayLike) -> None:
+        values = np.ascontiguousarray(floats(history, "history"))
+        if values.ndim != 2 or values.shape[1] != 5:
+            raise LengthError(str(shape_error("history", values.shape, "(points, 5)")))
+        with self._core.handle:
+            self._core.handle.call(library.fmc_context_set_cohesive_history, values, values.size)
+
+    def set_time_step(self, time_step: float) -> None:
+        """Says how long the step takes that is under way, and each later one: what the ``viscosity`` of a pair goes by.
+
+        Parameters
+        ----------
+        time_step : float
+            A time, positive.
+
+        Raises
+        ------
+        NotPositiveError
+            If it is not positive and finite.
+
+        Examples
+        --------
+        >>> contact.cohesive.set_time_step(0.1)
+        """
+        with self._core.handle:
+            self._core.handle.call(library.fmc_context_set_time_step, float(time_step))

@@ -26,7 +26,7 @@ Partner = Union[int, tuple[str, int]]
 
 _SIDES = ("a", "b")
 _OF_LAW = ("stiffness", "exponent", "smoothing_length")
-_OF_COHESIVE = ("normal_strength", "shear_strength", "normal_energy", "shear_energy", "mixed_mode_exponent")
+_OF_COHESIVE = ("normal_strength", "shear_strength", "normal_energy", "shear_energy", "mixed_mode_exponent", "viscosity")
 
 
 def _named(partner: Partner) -> tuple[int, int]:
@@ -105,6 +105,7 @@ class Pairs:
         shear_energy: float = 0.0,
         mixed_mode_exponent: float = 0.0,
         softening: str = "linear",
+        viscosity: float = 0.0,
         surfaces: Optional[tuple[int, int]] = None,
         transverse_coefficient: Optional[float] = None,
         direction: Optional[Iterable[float]] = None,
@@ -129,7 +130,7 @@ class Pairs:
             Of the laws ``"volume"`` and ``"fiber"``, as in ``Options``.
         friction_coefficient : float, optional
             Coefficient of the pair, which may be infinite: it then never slides. All else of its friction comes from the options of the
-            contact, but that at rest.
+            contact, but that at rest. Of a cohesive interface: what is broken and pressed rubs with it.
         static_coefficient, weakening_slip : float
             Friction of the pair at rest, as in ``Options``. Default: that of the contact, or none with a ``friction_coefficient``.
         gap_offset : float
@@ -161,6 +162,9 @@ class Pairs:
             Exponent, at least 1, by which the two are mixed (Benzeggagh and Kenane). 0: 2.
         softening : str
             How the traction falls: ``"linear"`` or ``"exponential"``.
+        viscosity : float
+            A time by which damage lags behind the law, so that searches pass where a structure snaps. Say how long steps take with
+            ``contact.cohesive.set_time_step``.
         surfaces : tuple of int, optional
             With ``"tied"``, ``"cohesive"`` and ``"no_separation"``: the parts of the surfaces of ``a`` and ``b`` that belong together, as
             numbers of ``contact.mesh.add_surface``. All other faces of the two bodies are in contact, by the law ``"depth"``.
@@ -207,6 +211,7 @@ class Pairs:
         if softening not in softenings:
             raise ValueError(f"option 'softening' has no value '{softening}', expected {' or '.join(softenings)}")
         own.softening, own.mixed_mode_exponent = softenings[softening], float(mixed_mode_exponent)
+        own.viscosity = float(viscosity)
         own.normal_strength, own.shear_strength = float(normal_strength), float(shear_strength)
         own.normal_energy, own.shear_energy = float(normal_energy), float(shear_energy)
         own.static_coefficient, own.weakening_slip = float(static_coefficient), float(weakening_slip)
