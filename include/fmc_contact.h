@@ -954,8 +954,8 @@ typedef struct {
   // rounded, and what holds for `FMC_SHAPE_SIGNED_DISTANCE` holds for it. Between bodies, and of one with itself,
   // only with the law "depth" and not positive: -c lets either body in by c before it presses.
   double gap_offset;
-  // Coefficient of friction, at least 0 or infinite, or `FMC_PAIR_FRICTION_OF_CONTEXT`, the default. All else of the friction is that of
-  // the context's options.
+  // Coefficient of friction, at least 0 or infinite, or `FMC_PAIR_FRICTION_OF_CONTEXT`, the default; with
+  // `FMC_INTERFACE_COHESIVE` that of what is broken. All else of the friction is that of the context's options.
   double friction_coefficient;
   // A value of `fmc_law`, or `FMC_PAIR_LAW_OF_CONTEXT`, the default.
   int32_t law;
@@ -991,6 +991,9 @@ typedef struct {
   int32_t surface_a;
   // The same of `b`. Both are 0, or neither.
   int32_t surface_b;
+  // With `FMC_INTERFACE_COHESIVE`: a time by which damage lags behind the law, so that searches pass where a structure snaps; 0, the
+  // default: none. `fmc_context_set_time_step` says how long a step takes.
+  double viscosity;
   // Zero. Room for options of later versions.
   uint64_t reserved[3];
 } fmc_pair_options;
@@ -2329,8 +2332,12 @@ typedef struct {
   double damaged_area;
   // Area of points that are broken.
   double broken_area;
+  // Energy that friction of what is broken has dissipated, less what the stick of newly broken area stores.
+  double rubbed;
+  // Energy that the viscosity has dissipated.
+  double viscous;
   // Zero.
-  uint64_t reserved[4];
+  uint64_t reserved[3];
 } fmc_cohesive;
 
 // A point of a cohesive interface.
@@ -2355,8 +2362,12 @@ typedef struct {
   double damage;
   // Energy by area that has been dissipated then.
   double dissipated;
+  // The same that friction of what is broken has dissipated.
+  double rubbed;
+  // The same that the viscosity has dissipated.
+  double viscous;
   // Zero.
-  uint64_t reserved[4];
+  uint64_t reserved[3];
 } fmc_cohesive_point;
 
 // A boundary facet: an edge in 2D, a triangle in 3D. A quadrilateral face is four of them, one on each of its edges. A face
@@ -2793,7 +2804,7 @@ fmc_status fmc_context_set_slip(fmc_context *context,
 
 // What all points of cohesive interfaces have been through in the steps that were accepted (`fmc_context_commit_step`), in the order of
 // `fmc_context_cohesive_points`: two numbers for each, its damage, 0 to 1, and the energy by area that it has dissipated. With the
-// coordinates it is all that a restart needs of them.
+// coordinates it is all that a restart needs of them, but for friction and viscosity (`fmc_context_cohesive_history`).
 //
 // `count` becomes how many numbers there are; `damage` has room for `capacity`. NULL with capacity 0: that alone is asked for.
 //
@@ -2812,6 +2823,35 @@ fmc_status fmc_context_damage(const fmc_context *context,
 fmc_status fmc_context_set_damage(fmc_context *context,
                                   const double *damage,
                                   size_t count);
+
+// What else these points have been through, five numbers for each: two of the slip of what is broken, as multiples of the edges of the facet of
+// `partner` that leave its first corner; the energies by area that friction and the viscosity have dissipated; and where the point was when the
+// step began, which is more than its damage says while viscosity holds damage back. All are 0 without friction and viscosity. A restart sets
+// them with the damage.
+//
+// `count` becomes how many numbers there are; `history` has room for `capacity`. NULL with capacity 0: that alone is asked for.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_UNTIED` as `fmc_context_cohesive`, `FMC_ERROR_BUSY`; nothing
+// is written then. Threads: several at once on one context, as long as no call changes it.
+fmc_status fmc_context_cohesive_history(const fmc_context *context,
+                                        double *history,
+                                        size_t capacity,
+                                        size_t *count);
+
+// Sets it: `count` numbers, as `fmc_context_cohesive_history` writes them, for a restart.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_LENGTH` for another number of them, `FMC_ERROR_NOT_POSITIVE` for what is not finite or a
+// negative energy of the viscosity, `FMC_ERROR_UNTIED`, `FMC_ERROR_BUSY`; the old one then stays. Threads: one call at a time on a context.
+fmc_status fmc_context_set_cohesive_history(fmc_context *context,
+                                            const double *history,
+                                            size_t count);
+
+// How long the step takes that is under way, and each later one until this is called again: what the viscosity of cohesive interfaces goes
+// by. An evaluation with a viscosity fails as long as this was not called.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NOT_POSITIVE`, `FMC_ERROR_BUSY`. Threads: one call at a time on a context.
+fmc_status fmc_context_set_time_step(fmc_context *context,
+                                     double time_step);
 
 // The multipliers, ascending by node and partner: with the coordinates all that a restart needs, or a load step that is tried
 // again.

@@ -301,6 +301,7 @@ module fmc_contact_c
     real(c_double) :: mixed_mode_exponent
     integer(c_int32_t) :: surface_a
     integer(c_int32_t) :: surface_b
+    real(c_double) :: viscosity
     integer(c_int64_t) :: reserved(3)
   end type
 
@@ -589,7 +590,9 @@ module fmc_contact_c
     real(c_double) :: dissipated
     real(c_double) :: damaged_area
     real(c_double) :: broken_area
-    integer(c_int64_t) :: reserved(4)
+    real(c_double) :: rubbed
+    real(c_double) :: viscous
+    integer(c_int64_t) :: reserved(3)
   end type
 
   type, bind(c) :: fmc_cohesive_point
@@ -603,7 +606,9 @@ module fmc_contact_c
     real(c_double) :: traction(3)
     real(c_double) :: damage
     real(c_double) :: dissipated
-    integer(c_int64_t) :: reserved(4)
+    real(c_double) :: rubbed
+    real(c_double) :: viscous
+    integer(c_int64_t) :: reserved(3)
   end type
 
   type, bind(c) :: fmc_boundary_facet
@@ -1575,6 +1580,27 @@ module fmc_contact_c
       real(c_double), intent(in), optional :: damage(*)
       integer(c_size_t), value :: count
       integer(c_int32_t) :: fmc_context_set_damage
+    end function
+    function fmc_context_cohesive_history(context, history, capacity, count) bind(c)
+      import
+      type(c_ptr), value :: context
+      real(c_double), intent(inout), optional :: history(*)
+      integer(c_size_t), value :: capacity
+      integer(c_size_t), intent(inout), optional :: count
+      integer(c_int32_t) :: fmc_context_cohesive_history
+    end function
+    function fmc_context_set_cohesive_history(context, history, count) bind(c)
+      import
+      type(c_ptr), value :: context
+      real(c_double), intent(in), optional :: history(*)
+      integer(c_size_t), value :: count
+      integer(c_int32_t) :: fmc_context_set_cohesive_history
+    end function
+    function fmc_context_set_time_step(context, time_step) bind(c)
+      import
+      type(c_ptr), value :: context
+      real(c_double), value :: time_step
+      integer(c_int32_t) :: fmc_context_set_time_step
     end function
     function fmc_context_multipliers(context, rows, capacity, count) bind(c)
       import

@@ -343,6 +343,7 @@ pub struct fmc_pair_options {
     pub mixed_mode_exponent: f64,
     pub surface_a: i32,
     pub surface_b: i32,
+    pub viscosity: f64,
     pub reserved: [u64; 3],
 }
 
@@ -677,7 +678,9 @@ pub struct fmc_cohesive {
     pub dissipated: f64,
     pub damaged_area: f64,
     pub broken_area: f64,
-    pub reserved: [u64; 4],
+    pub rubbed: f64,
+    pub viscous: f64,
+    pub reserved: [u64; 3],
 }
 
 #[repr(C)]
@@ -693,7 +696,9 @@ pub struct fmc_cohesive_point {
     pub traction: [f64; 3],
     pub damage: f64,
     pub dissipated: f64,
-    pub reserved: [u64; 4],
+    pub rubbed: f64,
+    pub viscous: f64,
+    pub reserved: [u64; 3],
 }
 
 #[repr(C)]
@@ -921,6 +926,9 @@ unsafe extern "C" {
     pub fn fmc_context_set_slip(context: *mut fmc_context, slip: *const f64, count: usize) -> fmc_status;
     pub fn fmc_context_damage(context: *const fmc_context, damage: *mut f64, capacity: usize, count: *mut usize) -> fmc_status;
     pub fn fmc_context_set_damage(context: *mut fmc_context, damage: *const f64, count: usize) -> fmc_status;
+    pub fn fmc_context_cohesive_history(context: *const fmc_context, history: *mut f64, capacity: usize, count: *mut usize) -> fmc_status;
+    pub fn fmc_context_set_cohesive_history(context: *mut fmc_context, history: *const f64, count: usize) -> fmc_status;
+    pub fn fmc_context_set_time_step(context: *mut fmc_context, time_step: f64) -> fmc_status;
     pub fn fmc_context_multipliers(context: *const fmc_context, rows: *mut fmc_multiplier, capacity: usize, count: *mut usize) -> fmc_status;
     pub fn fmc_context_set_multipliers(context: *mut fmc_context, rows: *const fmc_multiplier, count: usize) -> fmc_status;
     pub fn fmc_communicator_init(communicator: *mut fmc_communicator) -> fmc_status;

@@ -187,6 +187,7 @@ class fmc_pair_options(Structure):
         ("mixed_mode_exponent", c_double),
         ("surface_a", c_int32),
         ("surface_b", c_int32),
+        ("viscosity", c_double),
         ("reserved", c_uint64 * 3),
     ]
 
@@ -521,7 +522,9 @@ class fmc_cohesive(Structure):
         ("dissipated", c_double),
         ("damaged_area", c_double),
         ("broken_area", c_double),
-        ("reserved", c_uint64 * 4),
+        ("rubbed", c_double),
+        ("viscous", c_double),
+        ("reserved", c_uint64 * 3),
     ]
 
 
@@ -537,7 +540,9 @@ class fmc_cohesive_point(Structure):
         ("traction", c_double * 3),
         ("damage", c_double),
         ("dissipated", c_double),
-        ("reserved", c_uint64 * 4),
+        ("rubbed", c_double),
+        ("viscous", c_double),
+        ("reserved", c_uint64 * 3),
     ]
 
 
