@@ -147,6 +147,12 @@ PIECES = {
             # Along the last line towards the origin from 0.03, where it was 2 · 2 · (0.1 − 0.03)/(0.1 − 0.001).
             "assert np.allclose([pull, told.dissipated], [2.8283 * 2 / 3, 0.0586], atol=1e-4), (pull, told)",
         ),
+        (
+            "import numpy as np\nfrom fmc_contact import Contact\nconn = np.array([[0, 1, 2, 3], [4, 5, 8, 7], [5, 6, 9, 8]])\n"
+            "coords = np.array([[0, 0], [2, 0], [2, 1], [0, 1], [0, 1], [1, 1], [2, 1], [0, 2], [1, 2], [2, 2]], float)\n"
+            "glued = Contact(coords, conn, 'quad', bodies=[0, 1, 1], stiffness=1e3)\n",
+            "assert abs(-shear - 0.3 * pressed) < 1e-9 and abs(told.dissipated - 0.2) < 1e-12, (shear, pressed, told)",
+        ),
     ],
     "gradients.md": [
         ("", "assert shape.shape == (8, 2) and abs(force) > 1"),
