@@ -95,8 +95,18 @@ impl<const D: usize> Contact<D> {
     /// # Errors
     /// As [`Self::augment`].
     pub fn nodal_penetration(&self, coords: &[[f64; D]], reach: f64) -> Result<f64, Error> {
-        let of_interfaces = self.change_of_interfaces(coords)?.largest;
-        Ok(self.measured(coords, reach)?.1.penetration.max(of_interfaces))
+        Ok(self.left_of_penetration(coords, reach)?.0.penetration)
+    }
+
+    /// What an update would say, without one.
+    pub(crate) fn left_of_penetration(
+        &self,
+        coords: &[[f64; D]],
+        reach: f64,
+    ) -> Result<(Augmentation, TieChange), Error> {
+        let (of_interfaces, mut found) = (self.change_of_interfaces(coords)?, self.measured(coords, reach)?.1);
+        found.penetration = found.penetration.max(of_interfaces.largest);
+        Ok((found, of_interfaces))
     }
 
     /// What an update would change of all that is tied or does not separate.

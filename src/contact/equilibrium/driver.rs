@@ -12,7 +12,7 @@
 //! - `unloaded`: bodies whose load is gone come to rest undeformed beside one another, if they can;
 //! - `stuck` (with `falling`, what is known of it): where a load falls that friction is borne with, the first step has nothing slide;
 //! - `levels`, `nearest` (with `secant`, `turned`), `downhill`: the equilibrium, each from the same start where the one before has not found it;
-//! - `updates`: multipliers, until what is left of the penetration does not matter;
+//! - `updates`: multipliers, until what is left of the penetration does not matter; `within_facets`: where there are none;
 //! - `patches`: those of the law `fiber`, where they are not left to the host;
 //! - `standing`: whether bodies that only contact holds stand;
 //! - `breaking`, `told_breaking`: cohesive interfaces that break on the way, for what is said where there is no equilibrium.
@@ -62,6 +62,7 @@ mod unchanged;
 mod unknowns;
 mod unloaded;
 mod updates;
+mod within_facets;
 
 pub use limit::StepLimit;
 pub(super) use limit::step_limit;

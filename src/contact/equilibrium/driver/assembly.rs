@@ -5,6 +5,7 @@ use crate::contact::evaluation::Contact;
 use crate::geometry::aabb::Aabb;
 use crate::geometry::facet::area_vector;
 use crate::geometry::{PointWeights, Vector};
+use crate::overlap::Partner;
 
 /// Bodies at some coordinates.
 pub(super) struct Assembly<const D: usize> {
@@ -123,6 +124,14 @@ impl<const D: usize> Assembly<D> {
     /// Size of the smallest facets.
     pub(super) fn finest(&self) -> f64 {
         self.facet_size.iter().copied().fold(f64::INFINITY, f64::min)
+    }
+
+    /// A body by its id, an obstacle by its index.
+    pub(super) fn name(&self, partner: Partner) -> String {
+        match partner {
+            Partner::Body(body) => format!("body {}", self.id(body)),
+            Partner::Obstacle(obstacle) => format!("obstacle {obstacle}"),
+        }
     }
 
     /// Id of a body, as the host gave it.

@@ -37,15 +37,11 @@ pub(super) async fn overlaps<const D: usize>(search: &mut Search<D>, start: &Sta
         };
         let facet = pair.iter().filter_map(size).fold(f64::INFINITY, f64::min);
         if depth > TOLD * facet {
-            let name = |partner: Partner| match partner {
-                Partner::Body(body) => format!("body {}", assembly.id(body)),
-                Partner::Obstacle(obstacle) => format!("obstacle {obstacle}"),
-            };
             let text = format!(
                 "{} and {} overlap by {depth:.1e} at the start, {:.0e} of a facet, more than the loads explain: they are pressed \
                  apart. An adjustment removes overlaps without strain",
-                name(pair[0]),
-                name(pair[1]),
+                assembly.name(pair[0]),
+                assembly.name(pair[1]),
                 depth / facet
             );
             search.warn(text);

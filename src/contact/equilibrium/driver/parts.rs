@@ -15,6 +15,7 @@ use super::state::State;
 use super::trouble::Trouble;
 use super::unchanged::{kept, taken_up};
 use super::unknowns::{largest, moved};
+use super::within_facets::within_facets;
 use crate::Error;
 use crate::contact::changes::friction_steps::take_up;
 use crate::contact::tangents::TangentPart;
@@ -189,6 +190,11 @@ async fn finished<const D: usize>(
     }
     if let Some(text) = search.updates.left(search.assembly.finest()) {
         search.warn(text);
+    }
+    if let Some(displacement) = search.updates.displacement {
+        for text in within_facets((&search.host, &search.assembly), &reached.state, displacement).await {
+            search.warn(text);
+        }
     }
     if !breaking(&search.host, &reached.state.x).await?.is_empty() {
         // What an interface held when the step began it may hold no more.

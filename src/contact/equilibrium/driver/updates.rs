@@ -8,6 +8,7 @@ use super::state::State;
 use super::trouble::Trouble;
 use super::unknowns::dot;
 use crate::Error;
+use crate::contact::equilibrium::augmentation::Augmentation;
 use crate::contact::evaluation::Contact;
 use crate::contact::results::ContactForces;
 use crate::contact::ties::TieChange;
@@ -15,6 +16,10 @@ use crate::contact::ties::TieChange;
 /// Work of the contact forces on the penetration, by that of the bodies' own forces, that does not matter: the part by which forces are
 /// too small.
 const NEGLIGIBLE: f64 = 1e-3;
+
+/// Mean penetration by that which is negligible of which something is said where no update follows: displacements or forces are wrong by a
+/// hundredth.
+const TOLD: f64 = 10.0;
 
 /// Part of its largest traction by which an update may still change a tie. Work does not tell: what is tied is one body, and where several
 /// ties meet a gap far below the mean displacement is a stress of its own.
@@ -69,8 +74,12 @@ pub(super) struct Updates {
     are_ties_moving: bool,
     /// Whether the last state would have been given another update.
     is_cut_short: bool,
+    /// What the mean penetration is then of the bodies' own displacement.
+    part: f64,
     pub(super) count: usize,
     pub(super) found: Option<f64>,
+    /// The bodies' own displacement, as a mean by the contact forces, where no penetration was asked for.
+    pub(super) displacement: Option<f64>,
 }
 
 impl Updates {
@@ -93,8 +102,10 @@ impl Updates {
             light: 10.0 * options.tolerance / TIED,
             are_ties_moving: false,
             is_cut_short: false,
+            part: 0.0,
             count: 0,
             found: None,
+            displacement: None,
         }
     }
 
@@ -121,9 +132,13 @@ impl Updates {
     pub(super) fn left(&self, finest: f64) -> Option<String> {
         let left = self.found.filter(|left| self.is_cut_short && *left > UNTOLD * finest)?;
         let count = self.count - self.before;
+        let of_displacement = match self.part > TOLD * NEGLIGIBLE {
+            true => format!(", {:.0} % of the bodies' own displacement on average", 100.0 * self.part),
+            false => String::new(),
+        };
         Some(format!(
-            "after {count} updates of the multipliers each still changes the forces of contact and ties; surfaces penetrate, or what is tied \
-             has moved apart, by {left:.1e}: take smaller load steps, or allow more updates and ask for a penetration"
+            "after {count} updates of the multipliers another would still change the answer; surfaces penetrate, or what is tied has moved \
+             apart, by {left:.1e}{of_displacement}: ask for a penetration, take smaller load steps, or allow more updates"
         ))
     }
 
@@ -155,6 +170,9 @@ impl Updates {
         let coords = host.unknowns.coords(&state.x);
         self.pressed = pressed;
         let (wanted, reach) = (self.wanted(host, state, pressed).await?, self.reach);
+        if let Wanted::OnAverage { penetration, .. } = wanted {
+            self.displacement = Some(penetration / NEGLIGIBLE);
+        }
         let update = match host.contact(move |contact| update(contact, &coords, wanted, reach, may)).await {
             Ok(update) => update,
             // With self-contact or another law the penetration stays what the law leaves.
@@ -166,7 +184,9 @@ impl Updates {
         };
         self.found = Some(update.penetration);
         self.are_ties_moving = update.are_ties_moving;
-        self.is_cut_short = !update.is_enough && !may && (is_changing || update.are_ties_moving);
+        let is_far = update.mean > TOLD * wanted.of_all();
+        self.part = NEGLIGIBLE * update.mean / wanted.of_all();
+        self.is_cut_short = !update.is_enough && !may && (is_changing || update.are_ties_moving || is_far);
         match self.asked {
             _ if update.is_enough => Ok(false),
             Some(wanted) if !may => {
@@ -246,6 +266,8 @@ impl Wanted {
 struct Update {
     penetration: f64,
     change: f64,
+    /// Mean of the changes by the pressures.
+    mean: f64,
     is_enough: bool,
     are_ties_moving: bool,
 }
@@ -259,10 +281,11 @@ fn update<const D: usize>(
     may: bool,
 ) -> Result<Update, Error> {
     if !may {
-        let penetration = contact.nodal_penetration(coords, reach)?;
-        let are_ties_moving = wanted.are_moving(&contact.change_of_interfaces(coords)?);
+        let (found, ties) = contact.left_of_penetration(coords, reach)?;
+        let are_ties_moving = wanted.are_moving(&ties);
+        let penetration = found.penetration;
         let is_enough = penetration <= wanted.of_all() && !are_ties_moving;
-        return Ok(Update { penetration, change: penetration, is_enough, are_ties_moving });
+        return Ok(Update { penetration, change: penetration, mean: found.mean_change, is_enough, are_ties_moving });
     }
     let mut are_ties_moving = false;
     let found = contact.augment_unless(coords, reach, |found, ties| {
@@ -274,5 +297,6 @@ fn update<const D: usize>(
             }
         }
     })?;
-    Ok(Update { penetration: found.penetration, change: found.change, is_enough: found.is_enough, are_ties_moving })
+    let Augmentation { penetration, change, mean_change: mean, is_enough, .. } = found;
+    Ok(Update { penetration, change, mean, is_enough, are_ties_moving })
 }
