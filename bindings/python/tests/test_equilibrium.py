@@ -363,6 +363,28 @@ def test_a_contact_that_is_used_again_follows_another_stiffness_of_the_bodies(lo
     assert force(used, lower, upper) == pytest.approx(force(unused, lower, upper), rel=5e-3)
 
 
+@pytest.mark.parametrize("asked", [None, 1e-4])
+def test_a_corner_within_a_facet_is_told_with_its_penetration(asked):
+    coords, quads = two_blocks()
+    turned = coords[9:] - coords[9]
+    coords[9:] = [0.3, 1.0] + turned @ np.array([[1, 1], [-1, 1]]) / 2**0.5
+    top = np.arange(len(coords)) == 17
+    target = coords - [0.0, 0.02] * top[:, None]
+    free = np.flatnonzero(np.repeat((coords[:, 1] > 0) & ~top, 2))
+    matrix = stiffness(coords, quads, YOUNG)
+
+    def search(**options):
+        contact = Contact(coords, quads, "quad", **options)
+        host = lambda x: (matrix @ (x - coords).ravel(), matrix)
+        given = {} if asked is None else {"penetration": asked}
+        return find_equilibrium(host, contact, coords, free, target, **given)
+
+    found = search()
+    assert found.updates == 0 and any("within single facets" in said for said in found.warnings), found.warnings
+    # As hard as that: the force is a good deal larger.
+    assert search(stiffness=1e6).reactions[17, 1] < 1.1 * found.reactions[17, 1] < 0
+
+
 def test_a_body_that_nothing_stops_is_named(column):
     coords, contact, host = column
     free = np.arange(8, 16)

@@ -191,8 +191,8 @@ async fn finished<const D: usize>(
     if let Some(text) = search.updates.left(search.assembly.finest()) {
         search.warn(text);
     }
-    if let Some(displacement) = search.updates.displacement {
-        for text in within_facets((&search.host, &search.assembly), &reached.state, displacement).await {
+    if let Some(most) = search.updates.most_without() {
+        for text in within_facets((&search.host, &search.assembly), &reached.state, most).await {
             search.warn(text);
         }
     }

@@ -7,6 +7,7 @@ use super::options::DriverOptions;
 use super::state::State;
 use super::trouble::Trouble;
 use super::unknowns::dot;
+use super::within_facets::Most;
 use crate::Error;
 use crate::contact::equilibrium::augmentation::Augmentation;
 use crate::contact::evaluation::Contact;
@@ -79,7 +80,7 @@ pub(super) struct Updates {
     pub(super) count: usize,
     pub(super) found: Option<f64>,
     /// The bodies' own displacement, as a mean by the contact forces, where no penetration was asked for.
-    pub(super) displacement: Option<f64>,
+    displacement: Option<f64>,
 }
 
 impl Updates {
@@ -126,6 +127,11 @@ impl Updates {
     /// A load falls from where contact presses like this.
     pub(super) fn fall_from<const D: usize>(&mut self, contact: &ContactForces<D>) {
         self.fallen_from = pressed(contact);
+    }
+
+    /// How much penetration there may be without a word where there is no multiplier.
+    pub(super) fn most_without(&self) -> Option<Most> {
+        self.asked.map(Most::Asked).or(self.displacement.map(Most::OfDisplacement))
     }
 
     /// What is to be said where each update still changed the forces.
@@ -177,7 +183,7 @@ impl Updates {
             Ok(update) => update,
             // With self-contact or another law the penetration stays what the law leaves.
             Err(Error::Unsupported { .. }) if self.asked.is_none() => {
-                self.is_possible = false;
+                (self.is_possible, self.displacement) = (false, None);
                 return Ok(false);
             }
             Err(error) => return Err(error.into()),

@@ -11,27 +11,42 @@ use std::collections::BTreeSet;
 /// Mean penetration by the bodies' own displacement of which something is said.
 const TOLD: f64 = 1e-2;
 
+/// How much penetration there may be without a word.
+pub(super) enum Most {
+    /// As much as was asked for.
+    Asked(f64),
+    /// A part of the bodies' own displacement, as a mean by the forces.
+    OfDisplacement(f64),
+}
+
 /// What is to be said of pairs that press and have no multiplier, as a corner in the middle of a facet: its nodes are apart on average, and
-/// what penetrates between them is left to the stiffness. `displacement` is the bodies' own, as a mean by the forces.
+/// what penetrates between them is left to the stiffness.
 pub(super) async fn within_facets<const D: usize>(
     (host, assembly): (&Host<D>, &Assembly<D>),
     state: &State<D>,
-    displacement: f64,
+    most: Most,
 ) -> Vec<String> {
     let with_multipliers: BTreeSet<[Partner; 2]> =
         host.contact(|contact| contact.multipliers().iter().map(|one| sorted(one.partners)).collect()).await;
-    let mean = |pair: &PairForces| 2.0 * pair.energy / (pair.pressure * pair.contact_area);
+    // What is held together has an energy too, and does not penetrate.
+    let mean = |pair: &PairForces| (2.0 * pair.energy / (pair.pressure * pair.contact_area)).min(pair.penetration);
+    let (most, displacement) = match most {
+        Most::Asked(most) => (most, None),
+        Most::OfDisplacement(displacement) => (TOLD * displacement, Some(displacement)),
+    };
     let is_left = |pair: &&PairForces| {
-        pair.a != pair.b && !with_multipliers.contains(&sorted([pair.a, pair.b])) && mean(pair) > TOLD * displacement
+        pair.a != pair.b && !with_multipliers.contains(&sorted([pair.a, pair.b])) && mean(pair) > most
     };
     let said = |pair: &PairForces| {
+        let part = displacement.map_or_else(String::new, |displacement| {
+            format!(", {:.0} % of the bodies' own displacement", 100.0 * mean(pair) / displacement)
+        });
         format!(
-            "{} and {} touch within single facets, where no multiplier acts: they penetrate by {:.1e} on average, {:.0} % of the bodies' \
-             own displacement; refine both surfaces there, or give a larger stiffness",
+            "{} and {} touch within single facets, where no multiplier acts: they penetrate by {:.1e} on average{part}; refine both surfaces \
+             there, or give a larger stiffness",
             assembly.name(pair.a),
             assembly.name(pair.b),
             mean(pair),
-            100.0 * mean(pair) / displacement
         )
     };
     state.contact.pairs.iter().filter(is_left).map(said).collect()
