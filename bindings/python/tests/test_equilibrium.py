@@ -6,8 +6,8 @@ import sys
 
 import numpy as np
 import pytest
-from fmc_contact import Contact, NoSupportError, NotConvergedError, errors, find_equilibrium
 from elastic import stiffness
+from fmc_contact import Contact, NoSupportError, NotConvergedError, errors, find_equilibrium
 from scenes import K
 
 YOUNG = 100.0

@@ -28,6 +28,7 @@ impl Host {
             normal_energy: 0.0,
             shear_energy: 0.0,
             mixed_mode_exponent: 0.0,
+            viscosity: 0.0,
             surface_a: 77,
             surface_b: 77,
             reserved: [77; 3],
@@ -58,6 +59,7 @@ impl Host {
                 // All are said, so that all come back.
                 (options.normal_strength, options.shear_strength) = (1.0, from.stiffness.0);
                 (options.normal_energy, options.shear_energy) = (0.1, 0.2);
+                options.viscosity = f64::from(from.excluded % 2);
                 options.mixed_mode_exponent = from.exponent.map_or(2.0, |x| x.0);
                 (options.reach, options.softening) = (0.5, i32::from(from.law % 3));
             }
