@@ -91,7 +91,7 @@ pub(crate) fn points<const D: usize>(answer: &Answer<D>) -> Verdict {
     }
     for (body, sum) in sums.iter().enumerate() {
         let force = answer.forces.bodies[body].force;
-        if distance(&[*sum], &[force]) > 1e-12 * answer.size + answer.rounding {
+        if distance(&[*sum], &[force]) > 1e-11 * answer.size + answer.rounding {
             return Err(format!("body {body}: Σ p A n {sum:?} for {force:?}"));
         }
     }

@@ -80,7 +80,7 @@ pub(crate) fn slope<const D: usize>(answer: &Answer<D>) -> Verdict {
 fn same<const D: usize>(answer: &Answer<D>, other: &[[f64; D]], far: f64) -> Verdict {
     let off = distance(&answer.forces.forces, other);
     // Points on curved faces in space lie as parts of facets are divided, which is a matter of their numbers and of rounding.
-    let bent = if D == 3 && !answer.drawn.is_straight { 1e-5 * answer.drawn.size.powi(D as i32 - 1) } else { 0.0 };
+    let bent = if D == 3 && !answer.drawn.is_straight { 1e-4 * answer.drawn.size.powi(D as i32 - 1) } else { 0.0 };
     match off <= 1e-9 * answer.size + bent + 100.0 * far * answer.rounding {
         true => Ok(()),
         false => Err(format!("{off:e} of {:e}, rounding {:e}", answer.size, answer.rounding)),
