@@ -11,7 +11,7 @@ fuzz-long:
 	SAID=$(abspath $(TARGET))/said-$@ fuzz/run.sh runs=$(FUZZ_RUNS)
 
 # Random positions of two blocks, judged by what must hold in each: some ten minutes.
-SCENES ?= 1000..50000
+SCENES ?= 1000..20000
 
 scenes:
 	FMC_SCENES=$(SCENES) $(CARGO) test -p fmc-contact --release --test scenes

@@ -24,7 +24,7 @@ pub(crate) fn fields<const D: usize>(answer: &Answer<D>) -> Verdict {
         // Points of divided faces that are no nodes carry a part, and are not told.
         let is_told = drawn.is_straight;
         let off = distance(&[sum], &[force]);
-        if is_told && off > 1e-12 * answer.size + answer.rounding {
+        if is_told && off > 1e-10 * answer.size + answer.rounding {
             return Err(format!("body {body}: Σ p A n {sum:?} for {force:?}"));
         }
     }
@@ -78,7 +78,7 @@ pub(crate) fn points<const D: usize>(answer: &Answer<D>) -> Verdict {
                 let (low, high) = inside.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), x| (a.min(x), b.max(x)));
                 // Curved faces go beyond their nodes.
                 let bulge = if drawn.is_straight { 0.0 } else { 0.02 };
-                let bound = (1e-9 + bulge + 10.0 * drawn.rounding) * drawn.size;
+                let bound = (1e-8 + bulge + 10.0 * drawn.rounding) * drawn.size;
                 let at = point.position[i];
                 if !(low - bound..=high + bound).contains(&at) {
                     return Err(format!("at {at:e}, body {body} from {low:e} to {high:e}"));
@@ -91,7 +91,7 @@ pub(crate) fn points<const D: usize>(answer: &Answer<D>) -> Verdict {
     }
     for (body, sum) in sums.iter().enumerate() {
         let force = answer.forces.bodies[body].force;
-        if distance(&[*sum], &[force]) > 1e-11 * answer.size + answer.rounding {
+        if distance(&[*sum], &[force]) > 1e-10 * answer.size + answer.rounding {
             return Err(format!("body {body}: Σ p A n {sum:?} for {force:?}"));
         }
     }

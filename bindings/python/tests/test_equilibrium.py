@@ -363,6 +363,24 @@ def test_a_contact_that_is_used_again_follows_another_stiffness_of_the_bodies(lo
     assert force(used, lower, upper) == pytest.approx(force(unused, lower, upper), rel=5e-3)
 
 
+@pytest.mark.parametrize("factor", [1e-6, 1e-3, 0.1, 10.0, 1e3])
+def test_bodies_that_all_become_others_stay_where_friction_holds_them(factor):
+    coords, quads = two_blocks()
+    top = coords[:, 1] > 1.9
+    target = coords + [0.002, -0.02] * top[:, None]
+    free = np.flatnonzero(np.repeat((coords[:, 1] > 0) & ~top, 2))
+    matrix = stiffness(coords, quads, YOUNG)
+    contact = Contact(coords, quads, "quad", friction_coefficient=0.5)
+    contact.friction.begin_step(coords)
+    first = find_equilibrium(lambda x: (matrix @ (x - coords).ravel(), matrix), contact, coords, free, target)
+    contact.friction.commit_step(first.x)
+    other = factor * matrix
+    found = find_equilibrium(lambda x: (other @ (x - coords).ravel(), other), contact, first.x, free, target)
+    # Lengths stay, and all forces are those of other moduli.
+    assert np.abs(found.x - first.x).max() < 1e-6
+    assert found.reactions[top].sum(axis=0) == pytest.approx(factor * first.reactions[top].sum(axis=0), rel=1e-4)
+
+
 @pytest.mark.parametrize("asked", [None, 1e-4])
 def test_a_corner_within_a_facet_is_told_with_its_penetration(asked):
     coords, quads = two_blocks()

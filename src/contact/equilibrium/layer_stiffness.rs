@@ -3,7 +3,6 @@
 use crate::Error;
 use crate::contact::changes;
 use crate::contact::evaluation::Contact;
-use crate::contact::history::sorted;
 use crate::contact::partners::LayerStiffness;
 use crate::overlap::Partner;
 
@@ -22,18 +21,11 @@ impl<const D: usize> Contact<D> {
         changes::options::set_layer_stiffness(self, stiffness)
     }
 
-    /// The same, with pressures of multipliers and tractions of elastic slip as they were.
+    /// The same for bodies that have become others. How far surfaces are moved out, and elastic slip, stay lengths: with the bodies' own
+    /// forces, those of contact become others. What a load bore before says nothing of the next one.
     pub(crate) fn take_layer_stiffness(&mut self, stiffness: LayerStiffness) -> Result<(), Error> {
-        let before = self.layer_stiffness().cloned();
-        self.set_layer_stiffness(Some(stiffness.clone()))?;
-        let Some(before) = before else { return Ok(()) };
-        let is_slip_of_law = self.options().friction.has_stiffness_of_law();
-        let table = &self.partners.table;
-        let factor = |pair: &[Partner; 2]| match table.law(&sorted(*pair)) {
-            Some(_) => 1.0,
-            None => stiffness.of_pair(*pair) / before.of_pair(*pair),
-        };
-        self.history.stiffen_pairs(factor, is_slip_of_law);
+        self.set_layer_stiffness(Some(stiffness))?;
+        self.history.last = None;
         Ok(())
     }
 

@@ -106,12 +106,6 @@ impl<const D: usize> Multipliers<D> {
         self.scale(1.0 / factor);
     }
 
-    /// The same, where each pair's is higher by a factor of its own.
-    pub(crate) fn divide(&mut self, factor: impl Fn(&[Partner; 2]) -> f64) {
-        self.rows.iter_mut().for_each(|((_, partners), (shift, _))| *shift /= factor(partners));
-        self.end_series();
-    }
-
     /// Surfaces are moved out by a part of what they were.
     pub(crate) fn scale(&mut self, part: f64) {
         self.rows.values_mut().for_each(|(shift, _)| *shift *= part);

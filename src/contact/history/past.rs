@@ -90,15 +90,6 @@ impl<const D: usize> History<D> {
         }
     }
 
-    /// The same, by laws of pairs each of which is stiffer by a factor of its own.
-    pub(crate) fn stiffen_pairs(&mut self, factor: impl Fn(&[Partner; 2]) -> f64, is_slip_of_law: bool) {
-        self.multipliers.divide(&factor);
-        if let Some(step) = self.step.as_mut().filter(|_| is_slip_of_law) {
-            step.slip.iter_mut().for_each(|((partners, ..), carried)| carried.slip /= factor(partners));
-            self.frozen = None;
-        }
-    }
-
     fn divide_slip(&mut self, factor: f64) {
         if let Some(step) = self.step.as_mut().filter(|_| factor != 1.0) {
             step.slip.values_mut().for_each(|carried| carried.slip /= factor);

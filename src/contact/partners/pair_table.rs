@@ -156,6 +156,9 @@ fn check_orthotropic<const D: usize>(
     let Some(orthotropic) = options.orthotropic else { return Ok(()) };
     let what = match pair {
         _ if D == 2 => "a transverse_coefficient in 2D, where bodies slide along one direction only",
+        _ if matches!(options.interface, Interface::Cohesive(_)) => {
+            "a transverse_coefficient of bodies with a cohesive interface, whose broken parts rub by one coefficient"
+        }
         [a, b] if a == b => {
             "a transverse_coefficient of a body with itself, of which either side might have the direction"
         }

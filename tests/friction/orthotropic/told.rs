@@ -3,7 +3,7 @@
 use super::{BODIES, DELTA, DIRECTION, MU, ON_FLOOR, across, level, on_floor, own, slid_to_rest};
 use crate::scene::{Scene, norm};
 use crate::{begun, in_plane, in_space, laws, slid};
-use fmc_contact::contact::{Friction, GradientRequest, OrthotropicFriction, PairOptions, StaticFriction};
+use fmc_contact::contact::{Cohesive, Friction, GradientRequest, OrthotropicFriction, PairOptions, StaticFriction};
 use fmc_contact::overlap::{Partner, Warning};
 use fmc_contact::{Error, Obstacle, Options, Pose, Shape};
 
@@ -57,6 +57,12 @@ fn what_has_no_meaning_is_refused() {
     unsupported(cause(contact.set_pair_options(own_body, with(across(DIRECTION)))), "a body with itself");
     let rough = PairOptions { orthotropic: Some(across(DIRECTION)), ..PairOptions::rough() };
     unsupported(cause(contact.set_pair_options(BODIES, Some(rough))), "rough pair");
+    let glued = PairOptions {
+        orthotropic: Some(across(DIRECTION)),
+        friction_coefficient: Some(MU[0]),
+        ..PairOptions::with_cohesive(Cohesive::new(2.0, 0.25))
+    };
+    unsupported(cause(contact.set_pair_options(BODIES, Some(glued))), "cohesive interface");
     let endless = PairOptions::with_orthotropic_friction(f64::INFINITY, across(DIRECTION));
     unsupported(cause(contact.set_pair_options(BODIES, Some(endless))), "infinite coefficient");
     let at_rest = Some(StaticFriction { coefficient: 0.5, weakening_slip: 0.1 });

@@ -218,6 +218,9 @@ class Pairs:
         if surfaces is not None:
             own.surface_a, own.surface_b = _two(surfaces)
         if friction_coefficient is not None:
+            # The number by which the C interface says: that of the contact.
+            if float(friction_coefficient) == FMC_PAIR_FRICTION_OF_CONTEXT:
+                raise ValueError(f"friction_coefficient is {friction_coefficient}, expected at least 0")
             own.friction_coefficient = float(friction_coefficient)
         if law is not None:
             numbers = {name: number for number, name in FMC_LAW.items()}
