@@ -127,8 +127,9 @@ fn draw<const D: usize>(seed: u64, block: Blocks<D>) -> Drawn<D> {
     }
 }
 
-/// Turned or along the axes, in this unit, so many sizes away.
+/// Turned or along the axes, in this unit, so many sizes away. A million sizes away coordinates are rounded to 1e-10: of triangles and
+/// tetrahedra whose corners all lie on the surface, depths that are equal but for that are taken for equal, and near the origin they are not.
 fn place<const D: usize>(random: &mut Random, seed: u64) -> (Option<[[f64; D]; D]>, f64, f64) {
     let turn = (random.below(2) == 0).then(|| random_rotation::<D>(seed));
-    (turn, random.one_of(&[1.0, 1.0, 1e-6, 1e-3, 1e3, 1e6]), random.one_of(&[0.0, 0.0, 0.0, 1.0, 1e3, 1e6]))
+    (turn, random.one_of(&[1.0, 1.0, 1e-6, 1e-3, 1e3, 1e6]), random.one_of(&[0.0, 0.0, 0.0, 1.0, 1e3]))
 }
