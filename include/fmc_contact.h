@@ -883,7 +883,9 @@ fmc_status fmc_context_obstacle_shape(const fmc_context *context, size_t obstacl
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_OBSTACLE_OUT_OF_RANGE`, `FMC_ERROR_OBSTACLE_REMOVED`,
 // `FMC_ERROR_BAD_POSE`, `FMC_ERROR_BUSY`. Threads: one call at a time on a context.
-fmc_status fmc_context_set_pose(fmc_context *context, size_t obstacle, const fmc_pose *pose);
+fmc_status fmc_context_set_pose(fmc_context *context,
+                                size_t obstacle,
+                                const fmc_pose *pose);
 
 // Removes an obstacle, and the options of its pairs. The others keep their indices; that of the removed one is never
 // given again: it stays in the counts, with a resultant of zero, and its row in the tangent is empty. Results of the
