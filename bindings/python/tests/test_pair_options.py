@@ -119,6 +119,8 @@ def test_what_is_refused_changes_nothing() -> None:
         (ValueError, "no value 'glue'", lambda: contact.pairs.set(0, 1, law="glue", stiffness=K)),
         (ValueError, "no partner 'wall'", lambda: contact.pairs.set(0, ("wall", 1))),
         (IndexError, "no body -1", lambda: contact.pairs.set(0, -1)),
+        # By this number the C interface says: that of the contact.
+        (ValueError, "friction_coefficient is -1", lambda: contact.pairs.set(0, 1, friction_coefficient=-1)),
     ]:
         with pytest.raises(error, match=text):
             change()
