@@ -191,7 +191,8 @@ def test_with_friction(slide, penetration):
     found, got = block.compare(CLOSED, ("positions", "rotations", "friction", "coords"))
     friction = found.result.friction
     assert friction.slip_area > 0.2 if slide > 0.01 else friction.stick_area > 10 * friction.slip_area or penetration
-    differences = slope(lambda by: block.value(coefficient=by), 1e-6)
+    # Updates of multipliers leave some 1e-12 of a value, by the step of the differences.
+    differences = slope(lambda by: block.value(coefficient=by), 1e-6 if penetration is None else 1e-5)
     size = max(abs(differences), 1e-3 * np.abs(got.gradients.positions).max())
     assert abs(got.gradients.pairs[0].friction - differences) < CLOSED * size
 

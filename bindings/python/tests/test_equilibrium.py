@@ -376,9 +376,9 @@ def test_bodies_that_all_become_others_stay_where_friction_holds_them(factor):
     contact.friction.commit_step(first.x)
     other = factor * matrix
     found = find_equilibrium(lambda x: (other @ (x - coords).ravel(), other), contact, first.x, free, target)
-    # Lengths stay, and all forces are those of other moduli.
-    assert np.abs(found.x - first.x).max() < 1e-6
-    assert found.reactions[top].sum(axis=0) == pytest.approx(factor * first.reactions[top].sum(axis=0), rel=1e-4)
+    # Lengths stay but for another update of the multipliers, and all forces are those of other moduli.
+    assert np.abs(found.x - first.x).max() < 5e-3 * 0.02
+    assert found.reactions[top].sum(axis=0) == pytest.approx(factor * first.reactions[top].sum(axis=0), rel=5e-3)
 
 
 @pytest.mark.parametrize("asked", [None, 1e-4])
