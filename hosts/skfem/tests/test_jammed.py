@@ -59,6 +59,8 @@ def test_a_disc_in_a_trough_of_planks_comes_to_rest(young: float, loads: tuple[f
         forces = [found.result.bodies[k].force / (load * whole) for k in (1, 2)]
         assert forces[0] + forces[1] == pytest.approx([0, -1], abs=1e-8)
         assert forces[0] == pytest.approx(forces[1] * [-1, 1], abs=1e-3)
-        assert found.iterations <= 10 and not found.warnings
+        # The disc is so coarse that it touches a plank within a facet, which is told.
+        others = [said for said in found.warnings if "within single facets" not in said]
+        assert found.iterations <= 10 and not others
         u = found.x
         contact.commit_step(u)
