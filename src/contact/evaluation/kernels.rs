@@ -13,7 +13,7 @@ use crate::contact::derivatives::{GradientRequest, Gradients};
 use crate::contact::explicit::largest_step;
 use crate::contact::flux::FluxRequest;
 use crate::contact::friction::{SlipFacets, Tractions, Undirected};
-use crate::contact::laws::{Asked, PairEnergy, carry_the_force};
+use crate::contact::laws::{Asked, PairEnergy};
 use crate::contact::results::{
     ContactForces, FrictionHeat, GapConstraints, NodalContact, OntoNodes, PairForces, PointOfContact, points_of_contact,
 };
@@ -312,10 +312,8 @@ fn contact_points_in<const D: usize>(
     check_ready(contact)?;
     let points = for_each_pair(contact, coords, |measured| {
         let sliding = sliding(contact, coords, measured)?;
-        let is_of_bodies = matches!(measured.pair.partners, [Partner::Body(a), Partner::Body(b)] if a != b);
-        let is_curved = is_of_bodies && contact.mesh.may_be_curved() && measured.law.needs_depth();
-        let asked = Asked { points: true, slides: sliding.is_some(), energy: is_curved, ..Asked::default() };
-        let Some(mut answer) = measured.law.measure(measured, &asked)? else { return Ok(None) };
+        let asked = Asked { points: true, slides: sliding.is_some(), ..Asked::default() };
+        let Some(answer) = measured.law.measure(measured, &asked)? else { return Ok(None) };
         let friction = sliding.map(|sliding| {
             SlipFacets::new(measured, &sliding, &answer.points).at_points(measured.pair, &answer.points)
         });
