@@ -108,12 +108,13 @@ def newton(form, u, bcs, contact):
     assert solver.solve(u)[1]
 
 
-def two_spaces(out):
-    """Hexahedra are pressed on tetrahedra and pulled along with friction: two meshes, two spaces, no stiffness."""
+def two_spaces(out, stiffness="found"):
+    """Hexahedra are pressed on tetrahedra and pulled along with friction: two meshes, two spaces, and a stiffness given or found."""
     x, cells = block("tetra", 3, [0.0] * 3, [1.0] * 3)
     y, more = block("hexahedron", 2, [0.2, 0.2, 1.0], [0.8, 0.8, 1.6])
     spaces = [vector_space(mesh_from_cells(COMM, *one)) for one in ((x, cells, "tetra"), (y, more, "hexahedron"))]
-    contact = DolfinxContact(spaces, friction_coefficient=0.3)
+    given = {} if stiffness == "found" else {"stiffness": float(stiffness), "in_parts": False}
+    contact = DolfinxContact(spaces, friction_coefficient=0.3, **given)
     us, moves = [fem.Function(space) for space in spaces], [fem.Function(space) for space in spaces]
     bcs = []
     for move, height in zip(moves, (0.0, 1.6)):
