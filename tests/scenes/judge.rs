@@ -22,6 +22,9 @@ pub(crate) struct Answer<'a, const D: usize> {
     pub(crate) rounding: f64,
 }
 
+/// What must hold, or what does not.
+type Oracle<const D: usize> = fn(&Answer<D>) -> Result<(), String>;
+
 pub(crate) fn judge<const D: usize>(drawn: &Drawn<D>) -> Vec<String> {
     let contact = drawn.scene.contact(exactly(EnergyLaw::depth(stiffness(drawn))));
     let forces = match contact.evaluate(&drawn.coords) {
@@ -36,7 +39,7 @@ pub(crate) fn judge<const D: usize>(drawn: &Drawn<D>) -> Vec<String> {
         rounding: drawn.rounding * drawn.size.powi(D as i32 - 1),
     };
     let mut defects = Vec::new();
-    let oracles: [(&str, fn(&Answer<D>) -> Result<(), String>); 7] = [
+    let oracles: [(&str, Oracle<D>); 7] = [
         ("balance", balance),
         ("overlap", overlap),
         ("slope", slope),
