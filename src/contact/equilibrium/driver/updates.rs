@@ -7,7 +7,7 @@ use super::options::DriverOptions;
 use super::state::State;
 use super::trouble::Trouble;
 use super::unknowns::dot;
-use super::within_facets::Most;
+use super::within_facets::{Most, TOLD};
 use crate::Error;
 use crate::contact::equilibrium::augmentation::Augmentation;
 use crate::contact::evaluation::Contact;
@@ -17,10 +17,6 @@ use crate::contact::ties::TieChange;
 /// Work of the contact forces on the penetration, by that of the bodies' own forces, that does not matter: the part by which forces are
 /// too small.
 const NEGLIGIBLE: f64 = 1e-3;
-
-/// Mean penetration by that which is negligible of which something is said where no update follows: displacements or forces are wrong by a
-/// hundredth.
-const TOLD: f64 = 10.0;
 
 /// Part of its largest traction by which an update may still change a tie. Work does not tell: what is tied is one body, and where several
 /// ties meet a gap far below the mean displacement is a stress of its own.
@@ -75,8 +71,8 @@ pub(super) struct Updates {
     are_ties_moving: bool,
     /// Whether the last state would have been given another update.
     is_cut_short: bool,
-    /// What the mean penetration is then of the bodies' own displacement.
-    part: f64,
+    /// Mean of the changes by the pressures that the last state asked for.
+    mean: f64,
     pub(super) count: usize,
     pub(super) found: Option<f64>,
     /// The bodies' own displacement, as a mean by the contact forces, where no penetration was asked for.
@@ -103,7 +99,7 @@ impl Updates {
             light: 10.0 * options.tolerance / TIED,
             are_ties_moving: false,
             is_cut_short: false,
-            part: 0.0,
+            mean: 0.0,
             count: 0,
             found: None,
             displacement: None,
@@ -138,9 +134,11 @@ impl Updates {
     pub(super) fn left(&self, finest: f64) -> Option<String> {
         let left = self.found.filter(|left| self.is_cut_short && *left > UNTOLD * finest)?;
         let count = self.count - self.before;
-        let of_displacement = match self.part > TOLD * NEGLIGIBLE {
-            true => format!(", {:.0} % of the bodies' own displacement on average", 100.0 * self.part),
-            false => String::new(),
+        let of_displacement = match self.displacement {
+            Some(own) if self.mean > TOLD * own => {
+                format!(", {:.0} % of the bodies' own displacement on average", 100.0 * self.mean / own)
+            }
+            _ => String::new(),
         };
         Some(format!(
             "after {count} updates of the multipliers another would still change the answer; surfaces penetrate, or what is tied has moved \
@@ -190,8 +188,8 @@ impl Updates {
         };
         self.found = Some(update.penetration);
         self.are_ties_moving = update.are_ties_moving;
-        let is_far = update.mean > TOLD * wanted.of_all();
-        self.part = NEGLIGIBLE * update.mean / wanted.of_all();
+        self.mean = update.mean;
+        let is_far = self.displacement.is_some_and(|own| update.mean > TOLD * own);
         self.is_cut_short = !update.is_enough && !may && (is_changing || update.are_ties_moving || is_far);
         match self.asked {
             _ if update.is_enough => Ok(false),

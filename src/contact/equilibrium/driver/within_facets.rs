@@ -8,8 +8,9 @@ use crate::contact::results::PairForces;
 use crate::overlap::Partner;
 use std::collections::BTreeSet;
 
-/// Mean penetration by the bodies' own displacement of which something is said.
-const TOLD: f64 = 1e-2;
+/// Mean penetration by the bodies' own displacement of which something is said where no update follows: displacements or forces are wrong
+/// by as much.
+pub(super) const TOLD: f64 = 1e-2;
 
 /// How much penetration there may be without a word.
 pub(super) enum Most {
