@@ -14,7 +14,7 @@
 //! ∂(a∘p)/∂x = w wᵀ / (p₂² (a₁² + λ) + p₁² (a₂² + λ))
 //! ```
 
-use super::traction::{Stick, Traction};
+use super::traction::{ROUNDING, Stick, Traction};
 use crate::geometry::Vector;
 use crate::geometry::facet_slopes::cross;
 use nalgebra::SMatrix;
@@ -136,7 +136,7 @@ struct Nearest {
 /// The point that is nearest to `x`; `None` for `x` itself.
 fn nearest(a: [f64; 2], x: [f64; 2]) -> Option<Nearest> {
     let reached = |i: usize| if x[i] == 0.0 { 0.0 } else { x[i] / a[i] };
-    if reached(0).hypot(reached(1)) <= 1.0 {
+    if reached(0).hypot(reached(1)) <= 1.0 + ROUNDING {
         return None;
     }
     if let Some(free) = (0..2).find(|&i| a[i] == 0.0) {

@@ -2,7 +2,7 @@
 
 use super::ellipse::Ellipse;
 use super::options::Friction;
-use super::traction::{Stick, Traction};
+use super::traction::{ROUNDING, Stick, Traction};
 use crate::geometry::Vector;
 use nalgebra::SMatrix;
 
@@ -37,7 +37,7 @@ impl<const D: usize> Slider<D> {
         }
         let size = trial.norm();
         match self.stick {
-            Stick::Spring(stiffness) if size * stiffness <= self.limit => Traction {
+            Stick::Spring(stiffness) if size * stiffness <= self.limit * (1.0 + ROUNDING) => Traction {
                 value: trial * stiffness,
                 elastic: *trial,
                 slides: false,
@@ -106,6 +106,16 @@ mod tests {
         let limited = Friction { shear_limit: 1.0, cohesion: 0.25, ..Friction::coulomb(0.5) };
         assert_eq!(limited.limit(1.0, 0.5), (0.75, 0.5));
         assert_eq!(limited.limit(9.0, 0.5), (1.0, 0.0));
+    }
+
+    #[test]
+    fn what_is_at_its_limit_but_for_rounding_sticks() {
+        let slider = Slider { stick: Stick::Spring(7.0), limit: 0.3, ellipse: None };
+        let slid = slider.traction(&Vector::<3>::new(0.4, -0.2, 0.1));
+        for rounding in [-1e-15, 0.0, 1e-15, 1e-12] {
+            let again = slider.traction(&(slid.elastic * (1.0 + rounding)));
+            assert!(!again.slides && (again.value - slid.value).norm() < 1e-12, "{rounding:e}");
+        }
     }
 
     #[test]

@@ -3,6 +3,10 @@
 use crate::geometry::Vector;
 use nalgebra::SMatrix;
 
+/// Part of the limit by which a traction may exceed it and still sticks. What slid is at its limit where the next step begins: rounding would
+/// decide whether the first tangent of that step is one of stick or of slip.
+pub(super) const ROUNDING: f64 = 1e-10;
+
 /// What resists the slip below the limit.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Stick {
