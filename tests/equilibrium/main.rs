@@ -7,4 +7,5 @@ mod limit;
 mod loose;
 mod protocol;
 mod refused;
+mod touching;
 mod unloaded;

@@ -83,3 +83,28 @@ fn a_search_that_is_left_leaves_the_contact_as_it_presses() {
     assert!(forces.as_flattened().iter().any(|f| f.abs() > 1.0));
     assert!(product.as_flattened().iter().any(|f| f.abs() > 1.0));
 }
+
+/// A loose layer between a body that is held and a punch: pressed, left by the punch where nothing presses, and left farther. What is on it
+/// then is rounding of its own forces, and drives it nowhere.
+#[test]
+fn a_layer_that_has_come_to_rest_stays() {
+    let mut host = Host::new(&[
+        Block { low: [0.0, 0.0], high: [2.0, 1.0], cells: 4 },
+        Block { low: [0.0, 1.0], high: [2.0, 1.5], cells: 5 },
+        Block { low: [0.5, 1.6], high: [1.5, 2.2], cells: 3 },
+    ]);
+    let top = |x: [f64; 2]| x[1] > 2.19;
+    host.hold(1, |x| x[1] < 1e-9 || top(x));
+    host.hold(0, |x| x[1] < 1e-9 || top(x));
+    host.hold(0, |x| (1.0..1.51).contains(&x[1]) && x[0] == 0.0);
+    let mut contact = host.contact(None, 0.0);
+    let mut x = vec![0.0; host.load.len()];
+    for down in [0.15, 0.05, 0.0] {
+        let target: Vec<f64> = host.coords.iter().flat_map(|x| [0.0, if top(*x) { -down } else { 0.0 }]).collect();
+        let mut search =
+            Equilibrium::new(&contact, host.unknowns(), &x, Some(&target), DriverOptions::default()).unwrap();
+        let end = search.run(&mut contact, |contact, request| host.answer(contact, request)).unwrap();
+        x = end.unwrap_or_else(|refusal| panic!("{down}: {}", refusal.text)).x.clone();
+    }
+    assert!(contact.evaluate(&moved(&host, &x)).unwrap().contact_area < 1e-6);
+}

@@ -53,7 +53,7 @@ pub(super) async fn equilibrium<const D: usize>(
     {
         return Ok(Reached { state, verdict, way: Way::Nearest });
     }
-    let settled = settle(&search.host, &search.assembly, &search.motions, x, search.has_friction).await?;
+    let settled = settle(search, x).await?;
     *rigid_steps += settled.steps;
     if settled.is_anew {
         let coords = search.host.unknowns.coords(&settled.x);

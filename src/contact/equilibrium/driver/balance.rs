@@ -2,7 +2,7 @@
 
 use super::assembly::Assembly;
 use super::host::Host;
-use super::state::State;
+use super::state::{Rounding, State};
 use super::trouble::Trouble;
 
 /// Part of the forces above which rounding is never taken for an answer.
@@ -53,12 +53,22 @@ impl Balance {
         assembly: &Assembly<D>,
         start: &State<D>,
     ) -> Result<(), Trouble> {
-        let rounding = start.rounding(host, assembly, &self.pressed).await?;
+        let rounding = self.rounding(host, assembly, start).await?;
         let scale = start.scale(&rounding.of_state);
         if start.beyond(host, &rounding.of_state) <= BALANCED * scale {
             self.at_start = scale;
         }
         Ok(())
+    }
+
+    /// What rounding may leave of the residual of a state.
+    pub(super) async fn rounding<const D: usize>(
+        &self,
+        host: &Host<D>,
+        assembly: &Assembly<D>,
+        state: &State<D>,
+    ) -> Result<Rounding, Trouble> {
+        state.rounding(host, assembly, &self.pressed).await
     }
 
     /// Residuals count by forces of this size at least.
@@ -87,7 +97,7 @@ impl Balance {
         assembly: &Assembly<D>,
         state: &State<D>,
     ) -> Result<Verdict, Trouble> {
-        let rounding = state.rounding(host, assembly, &self.pressed).await?;
+        let rounding = self.rounding(host, assembly, state).await?;
         let scale = state.scale(&rounding.of_state).max(self.at_start);
         self.scale = scale;
         let beyond = state.beyond(host, &rounding.of_state);

@@ -3,6 +3,7 @@
 use super::host::Host;
 use super::trouble::Trouble;
 use crate::Error;
+use crate::contact::history::sorted;
 use crate::contact::results::GapConstraints;
 use crate::geometry::Vector;
 use crate::overlap::Partner;
@@ -23,6 +24,8 @@ pub(super) struct Rows {
     slopes: Vec<Slopes>,
     /// Its tangential counterparts: the row, and the derivative of the jump along a tangent.
     pub(super) tangential: Vec<(usize, Slopes)>,
+    /// Between whom.
+    pub(super) partners: Vec<[Partner; 2]>,
 }
 
 impl Rows {
@@ -35,7 +38,8 @@ impl Rows {
             Ok::<_, Error>((gaps, stiffness))
         });
         let (gaps, stiffness) = found.await?;
-        let mut rows = Self { gap: vec![], area: vec![], weight: vec![], slopes: vec![], tangential: vec![] };
+        let mut rows =
+            Self { gap: vec![], area: vec![], weight: vec![], slopes: vec![], tangential: vec![], partners: vec![] };
         for row in (0..gaps.gaps.len()).filter(|&row| gaps.areas[row] > 0.0) {
             rows.push(host, &gaps, row, stiffness[row]);
         }
@@ -61,6 +65,7 @@ impl Rows {
         let has_twin = matches!(gaps.partners[row], [_, Partner::Body(_)]);
         self.gap.push(gaps.gaps[row] / area);
         self.area.push(area);
+        self.partners.push(sorted(gaps.partners[row]));
         self.weight.push(stiffness * area * if has_twin { 0.5 } else { 1.0 });
         self.slopes.push(by_unknown(&|slope| *slope));
         let away = Vector::<D>::from(gaps.away[row]);

@@ -5,13 +5,17 @@ use super::host::Host;
 use super::motions::Motions;
 use super::quadratic::Quadratic;
 use super::rows::{Rows, along};
+use super::search::Search;
 use super::state::State;
 use super::trouble::Trouble;
 use super::unknowns::{dot, largest, moved};
 use crate::Error;
 use crate::contact::changes::friction_steps::take_up;
+use crate::contact::history::sorted;
 use crate::contact::tangents::TangentPart;
+use crate::overlap::Partner;
 use nalgebra::{DMatrix, DVector};
+use std::collections::BTreeSet;
 
 /// Steps, at most, and for every body: those of a stack fall on one another in turn.
 const MOST: usize = 150;
@@ -43,6 +47,12 @@ const APART: f64 = 1e-12;
 /// stays where it is. The stiffness of what it slides past or comes out of would take it along by what its mesh lacks of symmetry.
 const UNDRIVEN: f64 = 1e-9;
 
+/// Part of the load along a step that may be left, or turn, where friction is counted.
+const TURNED: f64 = 0.5;
+
+/// How often such a step is made shorter, at most.
+const SHORTER: usize = 16;
+
 /// Part of the stiffness of a pair with which bodies that are about to touch stick.
 const STICK: f64 = 0.1;
 
@@ -55,18 +65,13 @@ pub(super) struct Settled {
 }
 
 /// From x, whose matrix the host has. The step that has begun stays as it is.
-pub(super) async fn settle<const D: usize>(
-    host: &Host<D>,
-    assembly: &Assembly<D>,
-    motions: &Motions,
-    start: &[f64],
-    has_friction: bool,
-) -> Result<Settled, Trouble> {
+pub(super) async fn settle<const D: usize>(search: &Search<D>, start: &[f64]) -> Result<Settled, Trouble> {
+    let Search { host, motions, has_friction, .. } = search;
     let ways = [OnTheWay::Slips, OnTheWay::None, OnTheWay::Sticks];
     let mut first = None;
-    for friction in ways.into_iter().take(if has_friction { ways.len() } else { 1 }) {
+    for friction in ways.into_iter().take(if *has_friction { ways.len() } else { 1 }) {
         let begun = host.contact(|contact| contact.history.begun()).await;
-        let tried = attempt(host, assembly, motions, start, (has_friction, friction)).await;
+        let tried = attempt(search, start, friction).await;
         host.contact(|contact| take_up(contact, begun)).await;
         match tried {
             Ok(settled) => return Ok(settled),
@@ -91,13 +96,9 @@ enum OnTheWay {
     Sticks,
 }
 
-async fn attempt<const D: usize>(
-    host: &Host<D>,
-    assembly: &Assembly<D>,
-    motions: &Motions,
-    start: &[f64],
-    (has_friction, friction): (bool, OnTheWay),
-) -> Result<Settled, Trouble> {
+async fn attempt<const D: usize>(search: &Search<D>, start: &[f64], friction: OnTheWay) -> Result<Settled, Trouble> {
+    let Search { host, assembly, motions, has_friction, .. } = search;
+    let has_friction = *has_friction;
     let mut x = start.to_vec();
     let mut is_anew = false;
     if motions.is_empty() {
@@ -107,12 +108,13 @@ async fn attempt<const D: usize>(
     let usual = 0.25 * assembly.thinnest();
     let (mut length, mut trail, mut worst, mut caution) = (usual, vec![x.clone()], f64::INFINITY, 1.0);
     let mut last = vec![0.0; x.len()];
+    let rounding = rounding_along(search, start).await?;
     // Bodies that fall on one another go far to and fro: slip that is counted all the way seldom lets them rest.
     let is_counted = has_friction && friction == OnTheWay::Slips;
     let by_bodies = if is_counted { 0 } else { BY_BODY * assembly.rows.len() };
     for steps in 0..MOST.max(by_bodies) {
         let mut state = State::at(host, x.clone(), false).await?;
-        let (mut load, mut parts) = resultants(host, motions, &state);
+        let (mut load, mut parts) = resultants(search, &rounding, &state);
         worst = parts.iter().copied().fold(0.0, f64::max);
         if worst <= LEFT {
             return Ok(Settled { x, steps, is_anew });
@@ -124,7 +126,7 @@ async fn attempt<const D: usize>(
             host.contact(move |contact| contact.begin_step(&coords)).await?;
             is_anew = true;
             state = state.again(host).await?;
-            (load, parts) = resultants(host, motions, &state);
+            (load, parts) = resultants(search, &rounding, &state);
         }
         if largest(&moved(&x, -1.0, start)) > FARTHEST * assembly.size {
             let text = format!("nothing stops it within {FARTHEST} sizes of the assembly");
@@ -135,10 +137,11 @@ async fn attempt<const D: usize>(
         let way = &mean + dear * &turn + APART * DMatrix::identity(motions.count(), motions.count());
         let stiffness =
             &motions.stiffness + tangent_on(host, motions, &x).await? + (0.5 * caution * load.amax() / length) * way;
-        let close = has_friction.then_some(1e-3 * length);
-        let quadratic = energy(motions, near.as_ref(), (load, stiffness), close, 1e-12 * assembly.size);
+        let about_to_stick = has_friction.then(|| (1e-3 * length, pressed(&state)));
+        let quadratic = energy(motions, near.as_ref(), (load, stiffness), about_to_stick, 1e-12 * assembly.size);
         let driven: Vec<usize> = (0..motions.count()).filter(|&k| parts[k] > 0.0).collect();
-        let step = motions.combined(&quadratic.least_along(&driven));
+        let along = quadratic.least_along(&driven);
+        let step = motions.combined(&along);
         let most = largest(&step);
         if most == 0.0 || !most.is_finite() {
             break;
@@ -147,6 +150,10 @@ async fn attempt<const D: usize>(
         let part = (length / most).min(1.0);
         let is_seen = near.is_some_and(|rows| rows.along(&step).iter().any(|change| part * change.abs() > 1e-6 * most));
         length = if is_seen { usual } else { 2.0 * length };
+        let part = match is_counted {
+            true => before_it_turns(search, &x, (&step, part), (&along, quadratic.load.dot(&along))).await?,
+            false => part,
+        };
         x = moved(&x, part, &step);
         trail.push(x.clone());
         caution = if dot(&step, &last) < 0.0 { STRICTER * caution } else { f64::max(1.0, 0.5 * caution) };
@@ -162,23 +169,70 @@ async fn attempt<const D: usize>(
     Err(lost(host, assembly, &trail, &text))
 }
 
+/// The part of a step, at most as given, at which the load along it has not turned by much. Friction holds within a slip far shorter than a
+/// step, and turns the load where the step goes on: without this bodies slide to and fro past the place at which they rest.
+async fn before_it_turns<const D: usize>(
+    search: &Search<D>,
+    x: &[f64],
+    (step, most): (&[f64], f64),
+    (along, driving): (&DVector<f64>, f64),
+) -> Result<f64, Trouble> {
+    let (mut short, mut long) = ((0.0, driving), None);
+    let mut part = most;
+    for _ in 0..SHORTER {
+        let state = State::at(&search.host, moved(x, part, step), false).await?;
+        let load = -search.motions.along(&state.residual).dot(along);
+        if load.abs() <= TURNED * driving || (load > 0.0 && part == most) {
+            return Ok(part);
+        }
+        if load > 0.0 {
+            short = (part, load);
+        } else {
+            long = Some((part, load));
+        }
+        let Some(long) = long else { break };
+        let secant = short.0 + (long.0 - short.0) * short.1 / (short.1 - long.1);
+        let margin = 0.1 * (long.0 - short.0);
+        part = secant.clamp(short.0 + margin, long.0 - margin);
+    }
+    Ok(part)
+}
+
+/// What rounding of the host's own forces may leave of resultants: bodies that have come to rest have no other load.
+async fn rounding_along<const D: usize>(search: &Search<D>, start: &[f64]) -> Result<DVector<f64>, Trouble> {
+    let state = State::at(&search.host, start.to_vec(), false).await?;
+    let rounding = search.balance.rounding(&search.host, &search.assembly, &state).await?;
+    Ok(search.motions.magnitudes(&rounding.of_state))
+}
+
 /// Resultants of the residual on every motion, and their parts of the magnitudes of the forces that way; 0 of what is rounding.
-fn resultants<const D: usize>(host: &Host<D>, motions: &Motions, state: &State<D>) -> (DVector<f64>, DVector<f64>) {
+fn resultants<const D: usize>(
+    Search { host, motions, .. }: &Search<D>,
+    rounding: &DVector<f64>,
+    state: &State<D>,
+) -> (DVector<f64>, DVector<f64>) {
     let load = -motions.along(&state.residual);
     let all = motions.magnitudes(&state.inside) + motions.magnitudes(&state.forces);
     let whole = |v: &[f64]| motions.whole_magnitudes(&host.unknowns, v);
-    let rounded = UNDRIVEN * (whole(&state.inside) + whole(&state.forces));
+    let rounded = (UNDRIVEN * (whole(&state.inside) + whole(&state.forces))).sup(rounding);
     let part = |load: f64, all: f64, rounded: f64| if load.abs() > rounded { load.abs() / all } else { 0.0 };
     let parts = load.zip_zip_map(&all, &rounded, part);
     (load, parts)
 }
 
-/// Energy of the next step: what touches is in the load and the stiffness, what is near in the gaps. Bodies closer than `close` stick.
+/// Pairs that press somewhere: what they do not touch yet slides where the rest does, and would hold it if it stuck.
+fn pressed<const D: usize>(state: &State<D>) -> BTreeSet<[Partner; 2]> {
+    let pairs = state.contact.pairs.iter().filter(|pair| pair.contact_area > 0.0);
+    pairs.map(|pair| sorted([pair.a, pair.b])).collect()
+}
+
+/// Energy of the next step: what touches is in the load and the stiffness, what is near in the gaps. Bodies closer than a length stick, but
+/// for pairs that press already.
 fn energy(
     motions: &Motions,
     near: Option<&Rows>,
     (load, mut stiffness): (DVector<f64>, DMatrix<f64>),
-    close: Option<f64>,
+    about_to_stick: Option<(f64, BTreeSet<[Partner; 2]>)>,
     touching: f64,
 ) -> Quadratic {
     let count = motions.count();
@@ -188,9 +242,10 @@ fn energy(
     };
     let apart: Vec<usize> = (0..rows.gap.len()).filter(|&row| rows.gap[row] > -touching).collect();
     let changes: Vec<Vec<f64>> = motions.fields.iter().map(|field| rows.along(field)).collect();
-    if let Some(close) = close {
+    if let Some((close, pressed)) = about_to_stick {
         for (row, slopes) in &rows.tangential {
-            if rows.gap[*row].max(0.0) <= close && apart.binary_search(row).is_ok() {
+            let is_close = rows.gap[*row].max(0.0) <= close && apart.binary_search(row).is_ok();
+            if is_close && !pressed.contains(&rows.partners[*row]) {
                 let jump = DVector::from_iterator(count, motions.fields.iter().map(|field| along(slopes, field)));
                 stiffness += STICK * rows.weight[*row] * &jump * jump.transpose();
             }
