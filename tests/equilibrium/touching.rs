@@ -39,3 +39,27 @@ fn a_block_that_is_pressed_and_pushed_at_once_sticks() {
         }
     }
 }
+
+/// A row of blocks that lie apart, dragged on a floor to a wall by a force: facets that rock off the floor do not hold what slides. The wall
+/// bears the force less friction, from the closed form μ times the weight of all.
+#[test]
+fn a_row_is_dragged_to_a_wall() {
+    const COUNT: usize = 4;
+    let apart = 1.05;
+    let blocks: Vec<Block> = (0..COUNT).map(|k| Block::unit(apart * k as f64, 0.0, 4)).collect();
+    let wall = Block { low: [apart * COUNT as f64, 0.01], high: [apart * COUNT as f64 + 1.0, 1.5], cells: 4 };
+    let mut host = Host::new(&[blocks, vec![wall]].concat());
+    let mu = 0.2;
+    let force = 8.0 * mu * WEIGHT;
+    (0..COUNT as i64).for_each(|body| host.add_weight(body, [0.0, -WEIGHT]));
+    host.add_weight(0, [force, 0.0]);
+    host.hold(0, |x| x[0] > apart * COUNT as f64 + 0.99);
+    host.hold(1, |x| x[0] > apart * COUNT as f64 + 0.99);
+    let mut contact = host.contact(Some(0.0), mu);
+    contact.begin_step(&host.coords).unwrap();
+    let found = host.solved(&mut contact, None).unwrap_or_else(|refusal| panic!("{}", refusal.text));
+    let borne = found.contact.bodies[COUNT].force[0];
+    let expected = force - COUNT as f64 * mu * WEIGHT;
+    // The wall's friction takes off some weight.
+    assert!((borne / expected - 1.0).abs() < 0.1, "{borne} beside {expected}");
+}
