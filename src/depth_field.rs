@@ -9,6 +9,7 @@
 
 mod cell_division;
 mod cell_parts;
+mod crest;
 mod curves;
 mod distances;
 mod divide;

@@ -1,9 +1,10 @@
 //! Division of a cell that has nodes on the surface.
 
 use super::cell_parts::{Part, mean, own_points, parts};
+use super::crest::Crest;
 use super::divide::{Between, divide};
 use super::divisions::{CellPoint, CellSimplex, MOST_NODES};
-use super::incentre::{height, incentre, rounding_of_height};
+use super::incentre::{all_corners, height, incentre, rounding_of_height};
 use super::near_surface::NearSurface;
 use super::point_origin::PointOrigin;
 use crate::geometry::{CellType, Vector};
@@ -32,17 +33,13 @@ pub(super) struct CellDivision<'a, const D: usize> {
     pub(super) simplices: Vec<CellSimplex>,
     /// Whether parts with facets are divided about their centres also where the depth is the height above each facet already.
     about_centres: bool,
-    /// Whether another division is due as soon as the reference moves: a depth is the height above a facet by chance. Told with
-    /// `about_centres` alone.
-    pub(super) hangs_on_chance: bool,
 }
 
 impl<'a, const D: usize> CellDivision<'a, D> {
     pub(super) fn new(near: &'a NearSurface<'a, D>, cell: usize, about_centres: bool) -> Self {
         let (cell_type, nodes) = (near.cells.cell_type(cell), near.cells.nodes(cell));
         let (points, origins, simplices) = (Vec::new(), Vec::new(), Vec::new());
-        let mut division =
-            Self { near, cell, cell_type, nodes, points, origins, simplices, about_centres, hangs_on_chance: false };
+        let mut division = Self { near, cell, cell_type, nodes, points, origins, simplices, about_centres };
         for (number, weights) in own_points(cell_type).enumerate() {
             let (depth, origin) = division.depth_of_own_point(number, &weights);
             division.points.push(CellPoint { weights, depth });
@@ -70,34 +67,31 @@ impl<'a, const D: usize> CellDivision<'a, D> {
     /// Adds the simplices into which a part is divided.
     ///
     /// Inner edges and inner triangles that have all their nodes on the surface are divided about a point with its true
-    /// depth, in all cells alike. So is a part that has all of them there and no facet; and one with facets if the
-    /// depth would not be the height above each: about the centre of its inscribed ball, which is as high above all.
+    /// depth, in all cells alike. So is a part that has all of them there and no facet. One with facets is divided about the centre of
+    /// its inscribed ball, which is as high above all, if it has such points, or if its depth would not be the height above each.
+    /// With points it always is, so that no depth hangs on two faces being as near but for rounding; and about its crest, which lies higher.
     fn add_part(&mut self, part: &Part) {
         let mut points = self.points_between_nodes(part);
-        let mut simplices = self.divided(part, &points);
-        let has_facet = (0..=D).any(|k| self.is_facet(part, k));
-        let is_complete = if has_facet {
-            simplices.iter().all(|simplex| self.has_heights(part, simplex))
-        } else {
-            part.corners[..=D].iter().any(|&corner| self.depth(corner) > 0.0)
+        let facets = (0..=D).filter(|&k| self.is_facet(part, k)).fold(0u8, |all, k| all | 1 << k);
+        let wants_centre = match facets {
+            0 => part.corners[..=D].iter().all(|&corner| self.depth(corner) == 0.0),
+            // The depth of a part that is not divided is linear, and that of the centre too.
+            _ => self.about_centres || !points.is_empty() || !self.has_heights(part),
         };
-        if self.about_centres && has_facet && is_complete && !points.is_empty() {
-            self.hangs_on_chance |= !simplices.iter().all(|simplex| self.stands_on_its_facets(part, simplex));
+        let centre = if wants_centre { self.centre(part, facets != 0) } else { None };
+        if let Some(centre) = centre {
+            let crest = if facets != 0 && !points.is_empty() { self.crest(part, facets, centre) } else { None };
+            // Before edges, which it may lie above; as all simplices that have both agree, their order does not hang on numbers.
+            let edges = points.iter().position(|point| point.corners.count_ones() == 2).unwrap_or(points.len());
+            crest.into_iter().for_each(|crest| points.insert(edges, crest));
+            points.insert(0, Between { corners: all_corners(D), number: centre, about: None });
         }
-        // The depth of a part that is not divided is linear, and that of the centre too.
-        let is_linear = has_facet && points.is_empty();
-        let wants_centre = !is_complete || self.about_centres && is_linear;
-        let centre = if wants_centre { self.centre(part, has_facet) } else { None };
-        if let Some((centre, origin)) = centre {
-            points.insert(0, Between { corners: (1 << (D + 1)) - 1, number: self.number_of(centre, origin) });
-            simplices = self.divided(part, &points);
-        }
-        let of_part = simplices.into_iter().map(|simplex| {
+        let mut simplices = Vec::new();
+        divide(part.corners, &points, &mut |corners, kept| simplices.push(Kept { corners, kept }));
+        for simplex in simplices {
             let is_at_surface = (0..=D).any(|k| self.has_facet_below(part, &simplex, k));
-            CellSimplex { corners: simplex.corners, is_at_surface }
-        });
-        let of_part: Vec<CellSimplex> = of_part.collect();
-        self.simplices.extend(of_part);
+            self.simplices.push(CellSimplex { corners: simplex.corners, is_at_surface });
+        }
     }
 
     /// Points on inner triangles and edges of a part that have all their nodes on the surface, those on triangles first.
@@ -118,18 +112,15 @@ impl<'a, const D: usize> CellDivision<'a, D> {
             let weights = mean(nodes.into_iter());
             let (depth, facet) = self.near.distance(self.cell, &weights);
             let point = CellPoint { weights, depth: Some(depth) };
-            Between { corners, number: self.number_of(point, PointOrigin::Distance { facet }) }
+            Between { corners, number: self.number_of(point, PointOrigin::Distance { facet }), about: None }
         };
         found.into_iter().map(between).collect()
     }
 
     /// The centre of the ball inscribed in a part, whose depth is the radius of the ball if that touches a facet.
-    fn centre(&self, part: &Part, has_facet: bool) -> Option<(CellPoint, PointOrigin)> {
-        let (of_corners, radius) = incentre(&self.places(&part.corners))?;
-        let mut weights = [0.0; MOST_NODES];
-        for (&corner, weight) in part.corners[..=D].iter().zip(of_corners) {
-            weights.iter_mut().zip(self.weights(corner)).for_each(|(sum, w)| *sum += weight * w);
-        }
+    fn centre(&mut self, part: &Part, has_facet: bool) -> Option<u8> {
+        let (of_corners, radius) = incentre(&self.places(&part.corners), all_corners(D))?;
+        let weights = self.weights_in_cell(part, &of_corners);
         let (depth, facet) = match has_facet {
             true => (radius, None),
             false => {
@@ -137,47 +128,38 @@ impl<'a, const D: usize> CellDivision<'a, D> {
                 (depth, Some(facet))
             }
         };
-        let origin = PointOrigin::Centre { corners: part.corners, facet };
-        Some((CellPoint { weights, depth: Some(depth) }, origin))
+        let point = CellPoint { weights, depth: Some(depth) };
+        Some(self.number_of(point, PointOrigin::Centre { corners: part.corners, facet }))
     }
 
-    fn divided(&self, part: &Part, points: &[Between]) -> Vec<Kept> {
-        let mut simplices = Vec::new();
-        divide(part.corners, points, &mut |corners, kept| simplices.push(Kept { corners, kept }));
-        simplices
+    /// The crest of a part with facets, between the corners opposite to these and the centre, with its true depth.
+    fn crest(&mut self, part: &Part, facets: u8, centre: u8) -> Option<Between> {
+        let inner = all_corners(D) & !facets;
+        let crest = Crest::new(&self.places(&part.corners), facets, inner)?;
+        let weights = self.weights_in_cell(part, &crest.weights());
+        let (depth, facet) = self.near.distance(self.cell, &weights);
+        let point = CellPoint { weights, depth: Some(depth) };
+        let number = self.number_of(point, PointOrigin::Crest { corners: part.corners, facets, facet });
+        Some(Between { corners: facets, number, about: Some(centre) })
     }
 
-    /// Whether the depth in a simplex is the height above each facet that it has for a face.
-    fn has_heights(&self, part: &Part, simplex: &Kept) -> bool {
-        (0..=D).filter(|&k| self.has_facet_below(part, simplex, k)).all(|k| {
-            let corners = self.places(&simplex.corners);
+    /// Weights of the cell's nodes in a point of a part.
+    fn weights_in_cell(&self, part: &Part, of_corners: &[f64; 4]) -> [f64; MOST_NODES] {
+        let mut weights = [0.0; MOST_NODES];
+        for (&corner, weight) in part.corners[..=D].iter().zip(of_corners) {
+            weights.iter_mut().zip(self.weights(corner)).for_each(|(sum, w)| *sum += weight * w);
+        }
+        weights
+    }
+
+    /// Whether the depth in a part, linear between its corners, is the height above each facet that it has for a face.
+    fn has_heights(&self, part: &Part) -> bool {
+        (0..=D).filter(|&k| self.is_facet(part, k)).all(|k| {
+            let corners = self.places(&part.corners);
             let height = height(&corners, k);
             let rounding = ROUNDINGS * rounding_of_height(&corners, k);
-            (self.depth(simplex.corners[k]) - height).abs() <= (ROUNDING * height).max(rounding)
+            (self.depth(part.corners[k]) - height).abs() <= (ROUNDING * height).max(rounding)
         })
-    }
-
-    /// Whether the facets below a simplex are nearest to the corners opposite to them.
-    fn stands_on_its_facets(&self, part: &Part, simplex: &Kept) -> bool {
-        (0..=D).filter(|&k| self.has_facet_below(part, simplex, k)).all(|k| {
-            let corner = simplex.corners[k] as usize;
-            let nearest = match corner.checked_sub(self.nodes.len()).map(|point| self.origins[point]) {
-                None => self.near.anchor(self.nodes[corner]),
-                Some(PointOrigin::Distance { facet }) => facet,
-                Some(_) => return false,
-            };
-            let mut below: Vec<_> = (0..=D).filter(|&c| c != k).map(|c| self.row(simplex.corners[c])).collect();
-            below.sort_unstable();
-            below == self.near.rows_of_facet(nearest)
-        })
-    }
-
-    /// The nodes that have a part in a corner, ascending, with the bits of their weights.
-    fn row(&self, corner: u8) -> Vec<(u32, u64)> {
-        let weights = self.nodes.iter().zip(self.weights(corner)).filter(|(_, weight)| *weight != 0.0);
-        let mut row: Vec<(u32, u64)> = weights.map(|(&node, weight)| (node, weight.to_bits())).collect();
-        row.sort_unstable();
-        row
     }
 
     /// Whether the face of a simplex of a part that is opposite to a corner is a facet.

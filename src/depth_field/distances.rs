@@ -31,19 +31,6 @@ impl<'a, const D: usize> Distances<'a, D> {
         Self { surface, points, bodies }
     }
 
-    /// The nodes that move each corner of a facet, ascending, with the bits of their weights; corners in the order of these.
-    pub(super) fn rows_of_facet(&self, facet: u32) -> Vec<Vec<(u32, u64)>> {
-        let row = |vertex: u32| {
-            let nodes = self.surface.nodes_of_vertex(vertex).map(|(node, weight)| (node, weight.to_bits()));
-            let mut row: Vec<(u32, u64)> = nodes.collect();
-            row.sort_unstable();
-            row
-        };
-        let mut rows: Vec<_> = self.surface.facets[facet as usize].into_iter().map(row).collect();
-        rows.sort_unstable();
-        rows
-    }
-
     /// Distance of a point from the surface of a body, which is known to be at most `limit`, and the nearest facet.
     pub(super) fn of_point(&self, body: usize, x: &Vector<D>, limit: f64) -> (f64, u32) {
         let (facets, boxes, tree) = &self.bodies[body];

@@ -6,6 +6,8 @@ pub(super) struct Between {
     /// Bit k is set where corner k has a part in the point.
     pub(super) corners: u8,
     pub(super) number: u8,
+    /// Another point that has a part in it.
+    pub(super) about: Option<u8>,
 }
 
 /// Calls `visit(corners, which of them are those of the simplex)` for the simplices into which one with these corners is
@@ -19,10 +21,19 @@ pub(super) fn divide(corners: [u8; 4], points: &[Between], visit: &mut dyn FnMut
 
 /// The same with the face of the corners `of` divided, the other corners being points already.
 fn divide_face(corners: [u8; 4], of: u8, points: &[Between], visit: &mut dyn FnMut([u8; 4], u8)) {
-    let Some(point) = points.iter().find(|point| point.corners & !of == 0) else { return visit(corners, of) };
-    for k in (0..4).filter(|k| point.corners >> k & 1 == 1) {
+    let places = |point: &Between| -> Option<u8> {
+        let is_there = point.corners & !of == 0;
+        let about = match point.about {
+            Some(other) => 1 << (0..4).find(|&k| of >> k & 1 == 0 && corners[k] == other)?,
+            None => 0,
+        };
+        is_there.then_some(point.corners | about)
+    };
+    let found = points.iter().find_map(|point| Some((point.number, places(point)?)));
+    let Some((number, places)) = found else { return visit(corners, of) };
+    for k in (0..4).filter(|k| places >> k & 1 == 1) {
         let mut about = corners;
-        about[k] = point.number;
+        about[k] = number;
         divide_face(about, of & !(1 << k), points, visit);
     }
 }
@@ -32,7 +43,8 @@ mod tests {
     use super::*;
 
     fn count(points: &[u8]) -> usize {
-        let points: Vec<Between> = (4..).zip(points).map(|(number, &corners)| Between { corners, number }).collect();
+        let points: Vec<Between> =
+            (4..).zip(points).map(|(number, &corners)| Between { corners, number, about: None }).collect();
         let mut count = 0;
         divide([0, 1, 2, 3], &points, &mut |_, _| count += 1);
         count

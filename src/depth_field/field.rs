@@ -55,17 +55,17 @@ impl<const D: usize> DepthField<D> {
         feature_angle: Option<f64>,
         check: &dyn Fn(),
     ) -> Option<Self> {
-        Self::divided(surface, symmetry, (weighting, feature_angle), check, (false, &mut |_, _, _| ()))
+        Self::divided(surface, symmetry, (weighting, feature_angle), check, (false, &mut |_, _| ()))
     }
 
     /// The same; also divided `about_centres` where that changes no depth here, but does as soon as the reference moves. Tells of
-    /// every cell that has nodes on the surface where its points come from, and whether its division hangs on chance.
+    /// every cell that has nodes on the surface where its points come from.
     pub(super) fn divided(
         surface: &Surface<D>,
         symmetry: Option<&Symmetry<D>>,
         (weighting, feature_angle): (Weighting, Option<f64>),
         check: &dyn Fn(),
-        (about_centres, tell): (bool, &mut dyn FnMut(usize, Vec<PointOrigin>, bool)),
+        (about_centres, tell): (bool, &mut dyn FnMut(usize, Vec<PointOrigin>)),
     ) -> Option<Self> {
         let cells = surface.cells.as_ref()?;
         let coords = surface.reference();
@@ -98,7 +98,7 @@ impl<const D: usize> DepthField<D> {
         let (nodes, anchors) = node_depths(cells, coords, &surface_faces, &distances, check);
         let mut divisions = Divisions::default();
         TYPES.into_iter().for_each(|cell_type| add_ordinary(&mut divisions, cell_type));
-        let near = NearSurface::new(cells, coords, (&nodes, &anchors), &surface_faces, &distances);
+        let near = NearSurface::new(cells, coords, &nodes, &surface_faces, &distances);
         let division_of = (0..cells.len()).map(|cell| {
             if cell.is_multiple_of(CELLS_BETWEEN) {
                 check();
@@ -108,7 +108,7 @@ impl<const D: usize> DepthField<D> {
             }
             let of_cell = CellDivision::new(&near, cell, about_centres);
             let number = divisions.add(&of_cell.points, &of_cell.simplices);
-            tell(cell, of_cell.origins, of_cell.hangs_on_chance);
+            tell(cell, of_cell.origins);
             number
         });
         let division_of: Vec<u32> = division_of.collect();

@@ -1,16 +1,22 @@
-//! The ball inscribed in a simplex.
+//! Points that are as high above several faces of a simplex: for all faces the centre of the inscribed ball.
 
 use crate::geometry::Vector;
 use crate::geometry::facet::area_vector;
 
-/// Weights of the corners in the centre of the ball inscribed in a simplex, and its radius; `None` where it is flat.
-pub(super) fn incentre<const D: usize>(corners: &[Vector<D>; 4]) -> Option<([f64; 4], f64)> {
+/// Weights that add up to 1 and are zero but for the corners opposite to some faces, named by bits, in a point that is as high above each of
+/// these; and its height. `None` where the simplex is flat.
+pub(super) fn incentre<const D: usize>(corners: &[Vector<D>; 4], faces: u8) -> Option<([f64; 4], f64)> {
     let mut weights = [0.0; 4];
-    (0..=D).for_each(|k| weights[k] = opposite_area(corners, k).norm());
+    (0..=D).filter(|k| faces >> k & 1 == 1).for_each(|k| weights[k] = opposite_area(corners, k).norm());
     let sum: f64 = weights.iter().sum();
     // The height above a face times its measure is D times the volume.
-    let radius = opposite_area(corners, 0).dot(&(corners[0] - corners[1])).abs() / sum;
-    (radius > 0.0).then(|| (weights.map(|w| w / sum), radius))
+    let height = opposite_area(corners, 0).dot(&(corners[0] - corners[1])).abs() / sum;
+    (height > 0.0).then(|| (weights.map(|w| w / sum), height))
+}
+
+/// The bits of all corners, or of the faces opposite to them.
+pub(super) fn all_corners(dimension: usize) -> u8 {
+    (1 << (dimension + 1)) - 1
 }
 
 /// Height of a corner of a simplex above its opposite face.

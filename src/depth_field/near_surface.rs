@@ -11,8 +11,6 @@ pub(super) struct NearSurface<'a, const D: usize> {
     coords: &'a [[f64; D]],
     /// Depth of every node.
     depths: &'a [f64],
-    /// The facet that is nearest to it.
-    anchors: &'a [u32],
     surface_faces: &'a [u8],
     surface_edges: FxHashSet<[u32; 2]>,
     distances: &'a Distances<'a, D>,
@@ -23,7 +21,7 @@ impl<'a, const D: usize> NearSurface<'a, D> {
     pub(super) fn new(
         cells: &'a Cells,
         coords: &'a [[f64; D]],
-        (depths, anchors): (&'a [f64], &'a [u32]),
+        depths: &'a [f64],
         surface_faces: &'a [u8],
         distances: &'a Distances<'a, D>,
     ) -> Self {
@@ -35,7 +33,7 @@ impl<'a, const D: usize> NearSurface<'a, D> {
                 surface_edges.extend(nodes.iter().zip(next).map(|(&p, &q)| in_order(p, q)));
             }
         }
-        Self { cells, coords, depths, anchors, surface_faces, surface_edges, distances }
+        Self { cells, coords, depths, surface_faces, surface_edges, distances }
     }
 
     pub(super) fn is_surface(&self, cell: usize, face: usize) -> bool {
@@ -49,16 +47,6 @@ impl<'a, const D: usize> NearSurface<'a, D> {
 
     pub(super) fn depth(&self, node: u32) -> f64 {
         self.depths[node as usize]
-    }
-
-    /// The facet that is nearest to a node.
-    pub(super) fn anchor(&self, node: u32) -> u32 {
-        self.anchors[node as usize]
-    }
-
-    /// The nodes that move each corner of a facet, ascending, with the bits of their weights.
-    pub(super) fn rows_of_facet(&self, facet: u32) -> Vec<Vec<(u32, u64)>> {
-        self.distances.rows_of_facet(facet)
     }
 
     /// The point of a cell at which its nodes have these weights.

@@ -12,4 +12,7 @@ pub(super) enum PointOrigin {
     /// The centre of the ball inscribed in the simplex with these corners. Its depth is the radius of the ball, or the distance from
     /// the surface, of which this facet is nearest.
     Centre { corners: [u8; 4], facet: Option<u32> },
+    /// The crest of the simplex with these corners, whose faces opposite to the corners `facets`, named by bits, are facets. Its depth is
+    /// the distance from the surface, of which this facet is nearest.
+    Crest { corners: [u8; 4], facets: u8, facet: u32 },
 }

@@ -5,12 +5,12 @@
 //! vector from y to x, at the nodes of x and, with the other sign, at those of the facet. Where two facets are equally near it is that of one.
 
 use super::field::DepthField;
+use super::incentre::all_corners;
 use super::incentre_slopes::incentre_slopes;
 use super::point_origin::PointOrigin;
 use crate::geometry::nearest_on_facet::nearest;
 use crate::geometry::symmetry::Symmetry;
 use crate::geometry::{Surface, Vector, Weighting};
-use rustc_hash::FxHashSet;
 
 /// What is asked by the corners of the pieces of one cell, in the order of their numbers: first its nodes, then its points.
 pub(crate) struct CellSlopes {
@@ -35,28 +35,15 @@ pub(crate) struct ReferenceSlopes<const D: usize> {
     pub(crate) field: DepthField<D>,
     /// Origins of the points of cells that have nodes on the surface; none of the others.
     origins: Vec<Vec<PointOrigin>>,
-    /// Cells whose depth jumps as the reference moves, since it is the height above a facet by chance.
-    by_chance: FxHashSet<u32>,
 }
 
 impl<const D: usize> ReferenceSlopes<D> {
     /// Of a surface of flat faces; `None` for one without cells.
     pub(crate) fn new(surface: &Surface<D>, symmetry: Option<&Symmetry<D>>, check: &dyn Fn()) -> Option<Self> {
         let mut origins = vec![Vec::new(); surface.cells.as_ref()?.len()];
-        let mut by_chance = FxHashSet::default();
-        let mut tell = |cell: usize, of_cell: Vec<PointOrigin>, hangs_on_chance: bool| {
-            origins[cell] = of_cell;
-            if hangs_on_chance {
-                by_chance.insert(cell as u32);
-            }
-        };
+        let mut tell = |cell: usize, of_cell: Vec<PointOrigin>| origins[cell] = of_cell;
         let field = DepthField::divided(surface, symmetry, (Weighting::Plain, None), check, (true, &mut tell))?;
-        Some(Self { field, origins, by_chance })
-    }
-
-    /// Whether the depth of none of these cells jumps as the reference moves.
-    pub(crate) fn is_smooth(&self, cells: &[CellSlopes]) -> bool {
-        cells.iter().all(|of_cell| !self.by_chance.contains(&of_cell.cell))
+        Some(Self { field, origins })
     }
 
     /// Number of nodes and points of a cell.
@@ -111,22 +98,57 @@ impl<const D: usize> ReferenceSlopes<D> {
                     sums.add(nodes, &point.weights, &away);
                 }
                 PointOrigin::Centre { corners, facet } => {
-                    let of_corners = corners.map(weights_of);
-                    let places = of_corners.map(|weights| place(sums, &weights));
-                    let mut by_parts: [f64; 4] =
-                        std::array::from_fn(|k| by_weights.iter().zip(&of_corners[k]).map(|(s, w)| s * w).sum());
+                    let simplex = Simplex::new(nodes, corners.map(weights_of), sums);
+                    let mut by_parts = simplex.by_corners(by_weights);
                     let away = facet.map(|facet| sums.add_facet(facet, &place(sums, &point.weights), by_own_depth));
                     if let Some(away) = &away {
-                        by_parts.iter_mut().zip(&places).for_each(|(sum, x)| *sum += away.dot(x));
+                        by_parts.iter_mut().zip(&simplex.places).for_each(|(sum, x)| *sum += away.dot(x));
                         sums.add(nodes, &point.weights, away);
                     }
                     let of_radius = if away.is_none() { by_own_depth } else { 0.0 };
-                    let slopes = incentre_slopes(&places, &by_parts, of_radius);
-                    for k in 0..=D {
-                        sums.add(nodes, &of_corners[k], &slopes[k]);
+                    simplex.add(&incentre_slopes(&simplex.places, all_corners(D), &by_parts, of_radius), sums);
+                }
+                PointOrigin::Crest { corners, facets, facet } => {
+                    let simplex = Simplex::new(nodes, corners.map(weights_of), sums);
+                    let away = sums.add_facet(facet, &place(sums, &point.weights), by_own_depth);
+                    sums.add(nodes, &point.weights, &away);
+                    let by_corners = simplex.by_corners(by_weights);
+                    let by_parts: [f64; 4] = std::array::from_fn(|k| by_corners[k] + away.dot(&simplex.places[k]));
+                    let part = f64::from(facets.count_ones()) / D as f64;
+                    for (faces, part) in [(facets, part), (all_corners(D) & !facets, 1.0 - part)] {
+                        let by_parts = by_parts.map(|slope| slope * part);
+                        simplex.add(&incentre_slopes(&simplex.places, faces, &by_parts, 0.0), sums);
                     }
                 }
             }
+        }
+    }
+}
+
+/// A simplex of a cell.
+struct Simplex<'a, const D: usize> {
+    nodes: &'a [u32],
+    /// Weights of the cell's nodes in each corner.
+    weights: [[f64; 8]; 4],
+    places: [Vector<D>; 4],
+}
+
+impl<'a, const D: usize> Simplex<'a, D> {
+    fn new(nodes: &'a [u32], weights: [[f64; 8]; 4], sums: &Sums<D>) -> Self {
+        let place = |weights: &[f64; 8]| {
+            nodes.iter().zip(weights).fold(Vector::zeros(), |x, (&node, w)| x + sums.node(node) * *w)
+        };
+        Self { nodes, weights, places: weights.map(|of_corner| place(&of_corner)) }
+    }
+
+    /// What is asked by the weights of the corners, given that by the weights of the cell's nodes.
+    fn by_corners(&self, by_weights: &[f64; 8]) -> [f64; 4] {
+        self.weights.map(|of_corner| by_weights.iter().zip(of_corner).map(|(s, w)| s * w).sum())
+    }
+
+    fn add(&self, slopes: &[Vector<D>; 4], sums: &mut Sums<D>) {
+        for k in 0..=D {
+            sums.add(self.nodes, &self.weights[k], &slopes[k]);
         }
     }
 }

@@ -2,14 +2,14 @@
 
 use crate::depth;
 use crate::scene::{Scene, distance, norm};
-use fmc_shapes::{Diagonals, Mesh, rectangle_tri3};
+use fmc_shapes::{Diagonals, Mesh, Splitmix, cuboid_tet4, rectangle_tri3};
 
 /// Energy and the largest difference of forces that a small block inside a body has with two descriptions of the body;
 /// `new_number` has the number in the second of every node of the first.
-fn same(first: &Mesh<2>, second: &Mesh<2>, new_number: impl Fn(usize) -> usize, probe: &Mesh<2>) {
+fn same<const D: usize>(first: &Mesh<D>, second: &Mesh<D>, new_number: impl Fn(usize) -> usize, probe: &Mesh<D>) {
     let [one, other] = [first, second].map(|body| Scene::of(&[body, probe]).evaluate(depth(1.0)));
     assert!(one.energy > 0.0 && (other.energy / one.energy - 1.0).abs() < 1e-12, "{} {}", one.energy, other.energy);
-    let moved: Vec<[f64; 2]> = (0..first.coords.len()).map(|n| other.forces[new_number(n)]).collect();
+    let moved: Vec<[f64; D]> = (0..first.coords.len()).map(|n| other.forces[new_number(n)]).collect();
     let off = distance(&one.forces[..first.coords.len()], &moved);
     assert!(off < 1e-12 * norm(&one.forces), "{off}");
 }
@@ -66,4 +66,34 @@ fn which_of_two_hanging_nodes_comes_first() {
     let second = Mesh { coords, conn, nodes_per_cell: 3 };
     let probe = rectangle_tri3([1.05, 1.35], [1.45, 1.7], [2, 2], Diagonals::Same);
     same(&first, &second, |n| last - n, &probe);
+}
+
+/// Coarse bodies whose cells have all their corners on the surface, with nodes that are moved at random, deep in one another: nodes have the
+/// reverse numbers, and cells begin with another corner.
+#[test]
+fn which_corner_of_a_coarse_cell_comes_first() {
+    let mut random = Splitmix::new(11);
+    for cells in [1, 2] {
+        let mut body = rectangle_tri3([0.0, 0.0], [1.0, 0.8], [2, cells], Diagonals::Same);
+        shake(&mut body, &mut random);
+        turned(&body, |k| [1, 2, 0][k], &rectangle_tri3([0.2, 0.3], [0.9, 1.2], [2, 1], Diagonals::Same));
+        let mut body = cuboid_tet4([0.0; 3], [1.0, 0.8, 0.9], [2, cells, cells]);
+        shake(&mut body, &mut random);
+        // An even permutation, which leaves the sign of the volume.
+        turned(&body, |k| [1, 2, 0, 3][k], &cuboid_tet4([0.2, 0.1, 0.3], [0.9, 0.7, 1.3], [1, 2, 1]));
+    }
+}
+
+fn shake<const D: usize>(body: &mut Mesh<D>, random: &mut Splitmix) {
+    body.coords.as_flattened_mut().iter_mut().for_each(|x| *x += random.between(-0.05, 0.05));
+}
+
+fn turned<const D: usize>(body: &Mesh<D>, corner: impl Fn(usize) -> usize, probe: &Mesh<D>) {
+    let last = body.coords.len() - 1;
+    let mut other = body.clone();
+    other.coords.reverse();
+    for (cell, of_body) in other.conn.chunks_mut(D + 1).zip(body.conn.chunks(D + 1)) {
+        (0..=D).for_each(|k| cell[k] = last as u32 - of_body[corner(k)]);
+    }
+    same(body, &other, |n| last - n, probe);
 }

@@ -89,12 +89,7 @@ fn by_reference<const D: usize>(
     }
     let sharing = work.within_pair(false);
     Ok(match mesh.reference_slopes(&|| sharing.check()).filter(|_| !all.is_empty()) {
-        Some(slopes) if slopes.is_smooth(&all) => slopes.by_reference(&mesh.surface, &all),
-        Some(_) => {
-            let what = "the derivative by reference coordinates where depths jump as these move, as in lattices of tetrahedra: \
-                        move inner nodes off the lattice";
-            return Err(Error::Unsupported { what });
-        }
+        Some(slopes) => slopes.by_reference(&mesh.surface, &all),
         None => vec![[0.0; D]; coords.len()],
     })
 }
