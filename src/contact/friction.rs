@@ -36,7 +36,7 @@ mod tractions;
 
 pub(super) use at_points::{NodalFriction, PointFriction};
 pub use carried::FacetSlip;
-pub(super) use carried::{CarriedSlip, list as list_slip, of_list as slip_of_list};
+pub(super) use carried::{CarriedSlip, carried_slip, list as list_slip, of_list as slip_of_list};
 pub(super) use carriers::SliderName;
 pub(super) use frozen::FrozenFriction;
 pub(super) use heat::heat_of_released;

@@ -13,6 +13,7 @@ mod moved_out;
 mod orthotropic;
 mod rings;
 mod side_state;
+mod slip_gradients;
 mod steps;
 mod stick_slip;
 mod touch;

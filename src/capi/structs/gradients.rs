@@ -36,8 +36,19 @@ pub struct fmc_gradients {
     pub rotations: *mut f64,
     /// What is asked for of every pair: a sum of `FMC_GRADIENT_STIFFNESS`, `FMC_GRADIENT_GAP_OFFSET` and `FMC_GRADIENT_FRICTION`, or 0.
     pub of_pairs: u64,
+    /// Factors of the elastic slip with which the step ends, a term more beside energy and forces: rows as `fmc_context_slip` writes them.
+    /// NULL stands for zeros. `fmc_context_commit_step` at `coords` would carry this slip on.
+    pub slip_adjoint: *const f64,
+    /// How many numbers these are.
+    pub slip_adjoint_count: usize,
+    /// By the elastic slip that was carried into the step: such rows, of every facet that friction acts on. Room for `slip_capacity` numbers.
+    pub slip: *mut f64,
+    /// Room in `slip`.
+    pub slip_capacity: usize,
+    /// Becomes how many numbers there are. With `slip` NULL and no room that alone is asked for; both NULL: neither is.
+    pub slip_count: *mut usize,
     /// Zero. Room for what later versions know.
-    pub reserved: [u64; 8],
+    pub reserved: [u64; 3],
 }
 
 impl Default for fmc_gradients {
@@ -51,7 +62,12 @@ impl Default for fmc_gradients {
             positions: none,
             rotations: none,
             of_pairs: 0,
-            reserved: [0; 8],
+            slip_adjoint: std::ptr::null(),
+            slip_adjoint_count: 0,
+            slip: none,
+            slip_capacity: 0,
+            slip_count: std::ptr::null_mut(),
+            reserved: [0; 3],
         }
     }
 }
@@ -61,7 +77,7 @@ impl fmc_gradients {
     pub(crate) fn request(&self) -> Result<GradientRequest, Failure> {
         check_struct::<Self>("fmc_gradients", self.struct_size, self.reserved)?;
         let outputs = [("coords", self.coords), ("reference", self.reference), ("positions", self.positions)];
-        for (name, output) in outputs.into_iter().chain([("rotations", self.rotations)]) {
+        for (name, output) in outputs.into_iter().chain([("rotations", self.rotations), ("slip", self.slip)]) {
             Output::optional(name, output)?;
         }
         let has = |flag: u32| self.of_pairs & u64::from(flag) != 0;
@@ -78,6 +94,7 @@ impl fmc_gradients {
             stiffness: has(FMC_GRADIENT_STIFFNESS),
             gap_offsets: has(FMC_GRADIENT_GAP_OFFSET),
             friction: has(FMC_GRADIENT_FRICTION),
+            slip: !(self.slip.is_null() && self.slip_count.is_null()),
         })
     }
 
@@ -134,4 +151,6 @@ pub(crate) struct GradientLists {
     /// By coordinates, reference, positions and rotations.
     pub(crate) by_place: [Vec<f64>; 4],
     pub(crate) pairs: Vec<fmc_pair_gradient>,
+    /// By the slip at the start of the step, in rows.
+    pub(crate) slip: Vec<f64>,
 }

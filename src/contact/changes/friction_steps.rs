@@ -54,12 +54,17 @@ pub(crate) fn slip<const D: usize>(contact: &Contact<D>) -> Result<Vec<FacetSlip
 
 /// Sets it. On an error nothing has changed.
 pub(crate) fn set_slip<const D: usize>(contact: &mut Contact<D>, slip: &[FacetSlip<D>]) -> Result<(), Error> {
+    let carried = carried_of(contact, slip)?;
+    contact.history.set_slip(carried)
+}
+
+/// A list by slider.
+pub(crate) fn carried_of<const D: usize>(contact: &Contact<D>, slip: &[FacetSlip<D>]) -> Result<CarriedSlip<D>, Error> {
     contact.history.step()?;
     let Contact { mesh, partners, .. } = contact;
     let ranges = &mesh.surface.ranges;
     let body_of = |facet: usize| ranges.iter().position(|range| range.contains(&facet));
-    let carried = slip_of_list(slip, body_of, [ranges.len(), partners.obstacles.count()])?;
-    contact.history.set_slip(carried)
+    slip_of_list(slip, body_of, [ranges.len(), partners.obstacles.count()])
 }
 
 /// Goes on with a step that was laid aside.

@@ -70,9 +70,10 @@ pub(crate) fn add_answers<const D: usize>(
             return Err(Error::Unsupported { what: "the derivative by the gap offset between bodies" });
         }
         if request.stiffness {
-            if rubs && !a.is_empty() {
+            // What friction adds comes from its sliders.
+            if rubs && state.is_frozen && seeds.reaches_friction() {
                 return Err(Error::Unsupported {
-                    what: "the derivative of frictional forces by the stiffness of a pair",
+                    what: "the derivative of frictional forces by the stiffness of a pair while friction is frozen",
                 });
             }
             let moved = energy.nodes.iter().zip(&energy.gradient);
@@ -81,7 +82,7 @@ pub(crate) fn add_answers<const D: usize>(
             of_pair.stiffness = (seeds.energy * energy.energy - along) / partners.stiffness_of(&pair, method.options());
         }
         if request.friction {
-            of_pair.friction = by_coefficient(&pair, (partners, method), tractions, a)?;
+            of_pair.friction = by_coefficient(&pair, (partners, method), tractions, seeds)?;
         }
         gradients.pairs.push(of_pair);
     }
@@ -105,10 +106,11 @@ fn by_coefficient<const D: usize>(
     pair: &[Partner; 2],
     (partners, method): (&Partners<D>, &Method<D>),
     tractions: &[Tractions<D>],
-    a: &[[f64; D]],
+    seeds: &Seeds<D>,
 ) -> Result<f64, Error> {
+    let a = seeds.forces.unwrap_or(&[]);
     let friction = partners.friction_of(pair, method.options());
-    if a.is_empty() {
+    if !seeds.reaches_friction() {
         return Ok(0.0);
     }
     if friction.coefficient.is_infinite() {

@@ -1,6 +1,7 @@
 //! What the derivatives are.
 
 use crate::Error;
+use crate::contact::friction::FacetSlip;
 use crate::contact::results::OntoNodes;
 use crate::geometry::second_order::Division;
 use crate::overlap::Partner;
@@ -20,6 +21,9 @@ pub struct Gradients<const D: usize> {
     pub positions: Vec<[f64; D]>,
     /// By a rotation vector of every obstacle about its position, in space; in 2D only the last entry differs from zero.
     pub rotations: Vec<[f64; 3]>,
+    /// By the elastic slip carried into the step: of every facet that friction acts on, and each of those that it faces, in the order of
+    /// [`Contact::slip`](crate::Contact::slip).
+    pub slip: Vec<FacetSlip<D>>,
 }
 
 /// Derivatives by what one pair has; what was not asked for is 0.
@@ -40,6 +44,7 @@ impl<const D: usize> Gradients<D> {
     /// These, if all are finite.
     pub(crate) fn checked(self) -> Result<Self, Error> {
         let by_place = self.coords.iter().chain(&self.reference).chain(&self.positions).flatten();
+        let by_place = by_place.chain(self.slip.iter().flat_map(|one| &one.slip));
         let by_pair = self.pairs.iter().flat_map(|pair| [pair.stiffness, pair.gap_offset, pair.friction]);
         let all = by_place.chain(self.rotations.iter().flatten()).copied().chain(by_pair);
         match all.into_iter().find(|x| !x.is_finite()) {

@@ -1,5 +1,8 @@
 //! What is differentiated, and by what.
 
+use crate::contact::friction::SliderName;
+use std::collections::BTreeMap;
+
 /// By what [`Contact::vjp`](crate::Contact::vjp) differentiates; by nothing at first. What is not asked for is not computed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct GradientRequest {
@@ -17,6 +20,8 @@ pub struct GradientRequest {
     pub positions: bool,
     /// The rotations of the obstacles about their positions.
     pub rotations: bool,
+    /// The elastic slip carried into the step, of every facet that friction acts on.
+    pub slip: bool,
 }
 
 impl GradientRequest {
@@ -36,10 +41,22 @@ impl GradientRequest {
     }
 }
 
-/// What is differentiated: `energy` · w + `forces` · F.
+/// What is differentiated: `energy` · w + `forces` · F + `slip` · s, s being the elastic slip at the end of the step.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Seeds<'a, const D: usize> {
     pub(crate) energy: f64,
     /// By node of the straight mesh; `None` for zeros.
     pub(crate) forces: Option<&'a [[f64; D]]>,
+    /// By the elastic slip that the step ends with.
+    pub(crate) slip: &'a SlipSeeds,
+}
+
+/// Derivatives by the elastic slip of sliders; in 2D the last entry is 0.
+pub(crate) type SlipSeeds = BTreeMap<SliderName, [f64; 3]>;
+
+impl<const D: usize> Seeds<'_, D> {
+    /// Whether anything hangs on friction.
+    pub(crate) fn reaches_friction(&self) -> bool {
+        self.forces.is_some() || !self.slip.is_empty()
+    }
 }

@@ -1,34 +1,47 @@
 //! Derivatives of energy and forces.
 
+use super::kernels::slip_facets_in;
 use super::measured::measured_pairs;
 use super::parts::Contact;
 use super::points::Points;
 use super::sliding::check_ready;
 use super::walk::for_each_pair;
 use crate::Error;
-use crate::contact::derivatives::{GradientRequest, Gradients, Seeds, State, add_answers};
+use crate::contact::derivatives::{GradientRequest, Gradients, Seeds, SlipSeeds, State, add_answers, add_sliders};
 use crate::contact::laws::{Asked, Measured};
 use crate::contact::tangents::TangentPart;
 use crate::overlap::{DepthSeeds, Partner, depth_slopes};
 
-/// The derivatives at points of the straight mesh; `adjoint` has those of the forces by unknown, or is empty.
+/// The derivatives at points of the straight mesh; `adjoint` has those of the forces by unknown, or is empty, `slip` those of the elastic slip
+/// at the end of the step.
 pub(super) fn gradients_in<const D: usize>(
     contact: &Contact<D>,
     coords: &Points<D>,
     energy: f64,
     adjoint: &[f64],
+    slip: &SlipSeeds,
     request: &GradientRequest,
 ) -> Result<Gradients<D>, Error> {
     check_ready(contact)?;
     let is_held = !(contact.ties.is_empty() && contact.glides.is_empty());
-    if is_held && (request.reference || request.stiffness || request.gap_offsets || request.friction) {
+    let of_slip = request.slip || !slip.is_empty();
+    if is_held && (request.reference || request.stiffness || request.gap_offsets || request.friction || of_slip) {
         let what = "a derivative with bodies that are tied or do not separate, but by coordinates and poses";
         return Err(Error::Unsupported { what });
     }
     if !contact.cohesions.is_empty() {
         return Err(Error::Unsupported { what: "derivatives with a cohesive interface" });
     }
+    if !slip.is_empty() && (request.needs_tangent() || request.reference) {
+        let what = "the derivative of the slip at the end of a step by coordinates, poses and gap offsets";
+        return Err(Error::Unsupported { what });
+    }
     let Contact { mesh, partners, method, history, .. } = contact;
+    if of_slip && history.frozen.is_some() {
+        return Err(Error::Unsupported {
+            what: "derivatives by and of the slip between steps while friction is frozen",
+        });
+    }
     let rows: Vec<[f64; D]> = adjoint.chunks_exact(D).map(|row| std::array::from_fn(|i| row[i])).collect();
     let expected = mesh.surface.unknown_count();
     if !adjoint.is_empty() && (rows.len() != expected || adjoint.len() != expected * D) {
@@ -38,7 +51,7 @@ pub(super) fn gradients_in<const D: usize>(
         return Err(Error::NonFiniteStiffness { array: "adjoint", entry });
     }
     let points = if adjoint.is_empty() { None } else { Some(mesh.surface.mesh_points(&rows)?) };
-    let seeds = Seeds { energy, forces: points.as_deref() };
+    let seeds = Seeds { energy, forces: points.as_deref(), slip };
     let obstacles = partners.obstacles.count();
     let mut found = Gradients { coords: vec![[0.0; D]; coords.len()], ..Gradients::default() };
     if request.positions {
@@ -56,6 +69,9 @@ pub(super) fn gradients_in<const D: usize>(
         let (is_frozen, may_be_curved) = (history.frozen.is_some(), mesh.may_be_curved());
         let state = State { is_kept: &is_kept, is_frozen, may_be_curved };
         add_answers((partners, method), (&answers, &tractions), (&seeds, request, &state), &mut found)?;
+    }
+    if request.slip || seeds.reaches_friction() && (request.stiffness || request.friction && !slip.is_empty()) {
+        add_sliders((partners, method), &slip_facets_in(contact, coords)?, (&seeds, request), &mut found)?;
     }
     if !request.coords {
         found.coords = Vec::new();

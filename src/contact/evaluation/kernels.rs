@@ -9,7 +9,7 @@ use super::points::{Points, moved_out};
 use super::sliding::{check_ready, sliding};
 use super::walk::{for_each_pair, for_each_pair_within};
 use crate::Error;
-use crate::contact::derivatives::{GradientRequest, Gradients};
+use crate::contact::derivatives::{GradientRequest, Gradients, SlipSeeds};
 use crate::contact::explicit::largest_step;
 use crate::contact::flux::FluxRequest;
 use crate::contact::friction::{SlipFacets, Tractions, Undirected};
@@ -122,7 +122,7 @@ tangent = tangent_in(part: TangentPart) -> tangents }
 kernel! { /// Forces and second derivative of the energy.
 evaluate_tangent = evaluate_tangent_in(part: TangentPart) -> both }
 kernel! { /// Derivatives of energy and forces.
-gradients = gradients_in(energy: f64, adjoint: &[f64], request: &GradientRequest) -> gradient_lists }
+gradients = gradients_in(energy: f64, adjoint: &[f64], slip: &SlipSeeds, request: &GradientRequest) -> gradient_lists }
 kernel! { /// Time step.
 stable_step = stable_step_in(masses: &[f64]) -> numbers }
 kernel! { /// Overlaps of all pairs.
@@ -255,7 +255,10 @@ fn evaluate_tangent_in<const D: usize>(
 }
 
 /// All facets on which friction acts, by pair.
-fn slip_facets_in<const D: usize>(contact: &Contact<D>, coords: &Points<D>) -> Result<SlipFacetsByPair<D>, Error> {
+pub(super) fn slip_facets_in<const D: usize>(
+    contact: &Contact<D>,
+    coords: &Points<D>,
+) -> Result<SlipFacetsByPair<D>, Error> {
     check_ready(contact)?;
     let asked = Asked { slides: true, ..Asked::default() };
     for_each_pair(contact, coords, |measured| {

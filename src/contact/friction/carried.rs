@@ -84,6 +84,11 @@ pub(crate) fn of_list<const D: usize>(
     Ok(carried)
 }
 
+/// Elastic slip alone.
+pub(crate) fn carried_slip<const D: usize>(slip: Vector<D>) -> Carried<D> {
+    Carried { slip, slid: 0.0 }
+}
+
 fn carried_by<const D: usize>(one: &FacetSlip<D>) -> Carried<D> {
     Carried { slip: Vector::from(one.slip), slid: one.slid }
 }

@@ -17,6 +17,7 @@ use super::traction::{Stick, Traction};
 use crate::contact::laws::{Measured, PressurePoint};
 use crate::geometry::Vector;
 use crate::overlap::{Pair, Partner};
+use nalgebra::SMatrix;
 use std::collections::BTreeMap;
 use std::ops::Range;
 
@@ -68,6 +69,8 @@ pub(crate) struct SlipFacet<const D: usize> {
 pub(crate) struct Before<const D: usize> {
     /// Elastic slip that was carried, turned along.
     pub(crate) slip: Vector<D>,
+    /// Deformation since then, by which it was turned.
+    pub(crate) deformation: SMatrix<f64, D, D>,
     /// Part of it that stays, as a mean over the area in contact now.
     pub(crate) part: f64,
     /// Area in contact.
@@ -120,6 +123,7 @@ impl<const D: usize> SlipFacets<D> {
         let tangential = |x: Vector<D>| x - normal * normal.dot(&x);
         let limit = sums.limit / sums.area;
         let (ellipse, is_undirected) = ellipse_of(sliding, &normal, &(sums.direction / sums.area));
+        let deformation = sums.deformation;
         let (touch, before) = match sliding.stick {
             Stick::Spring(_) => {
                 let name = (pair.partners, of_b, in_surface);
@@ -127,16 +131,17 @@ impl<const D: usize> SlipFacets<D> {
                 let touch = bore.map_or(Touch::WHOLE, |bore| Touch::new(bore, bearing, sums.approach / sums.area));
                 let none = Carried { slip: Vector::zeros(), slid: 0.0 };
                 let Carried { slip, slid } = sliding.step.slip.get(&name).copied().unwrap_or(none);
-                let slip = tangential(sums.deformation * slip) * sign;
+                let slip = tangential(deformation * slip) * sign;
                 let area = bore.map_or(1.0, |bore| bore.area / bearing.area);
                 // Of a pressure that is one for a whole pair no facet tells what it was.
                 let known = bore.filter(|_| sliding.is_by_depth);
                 let limit = known.map(|bore| sums.bore().limit_before(&bore) / sums.area);
-                (touch, Before { slip, part: touch.carried, area, limit, slid })
+                (touch, Before { slip, deformation, part: touch.carried, area, limit, slid })
             }
             // Of which only the slip of the step counts, as a speed.
             Stick::Memoryless(_) => {
-                (Touch::WHOLE, Before { slip: Vector::zeros(), part: 1.0, area: 1.0, limit: None, slid: 0.0 })
+                let slip = Vector::zeros();
+                (Touch::WHOLE, Before { slip, deformation, part: 1.0, area: 1.0, limit: None, slid: 0.0 })
             }
         };
         let slip = sums.slip / sums.area;
@@ -204,6 +209,16 @@ fn ellipse_of<const D: usize>(
 }
 
 impl<const D: usize> SlipFacet<D> {
+    /// The derivative by the elastic slip that was carried into the step of what has this one by the trial slip.
+    pub(crate) fn by_carried(&self, by_trial: &Vector<D>) -> Vector<D> {
+        if let Stick::Memoryless(_) = self.slider.stick {
+            return Vector::zeros();
+        }
+        let sign = if self.of_b { -1.0 } else { 1.0 };
+        let within = by_trial - self.normal * self.normal.dot(by_trial);
+        self.before.deformation.transpose() * within * (sign * self.before.part)
+    }
+
     /// Traction against the slip of what slides, by the largest limit there is in any direction.
     pub(super) fn part_of_limit(&self, traction: &Traction<D>) -> f64 {
         if self.slider.ellipse.is_none() {

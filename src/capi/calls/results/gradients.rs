@@ -2,7 +2,7 @@
 
 use crate::capi::boundary::entry::entry;
 use crate::capi::boundary::list::Room;
-use crate::capi::boundary::pointer::{Output, optional, reference};
+use crate::capi::boundary::pointer::{Output, optional, reference, slice};
 use crate::capi::boundary::status::fmc_status;
 use crate::capi::context::session::in_either;
 use crate::capi::context::state::{fmc_context, write};
@@ -26,19 +26,20 @@ pub unsafe extern "C" fn fmc_gradients_init(gradients: *mut fmc_gradients) -> fm
 /// forces, friction included, which is no part of w. `adjoint` has the shape of `coords`; NULL stands for zeros. A host that
 /// minimises J(x) with contact in equilibrium passes the solution of the adjoint system, with `energy` 0.
 ///
-/// All are exact, and partial: each with all else held, the slip at the start of the step too. Where two faces are equally near to a
-/// node, the depth has a kink, and the derivative is that of one side.
+/// All are exact, and partial: each with all else held, the slip at the start of the step too, by which there is a derivative of its own.
+/// Where two faces are equally near to a node, the depth has a kink, and the derivative is that of one side.
 ///
 /// `count` becomes the number of pairs that touch, 0 unless something of pairs is asked for; `pairs` has room for `capacity`.
 ///
-/// Errors: as `fmc_context_tangent`; `FMC_ERROR_LENGTH`, `FMC_ERROR_STRUCT_SIZE`, `FMC_ERROR_RESERVED_FIELD`, `FMC_ERROR_UNKNOWN_FLAG`
-/// and `FMC_ERROR_BUFFER_TOO_SMALL`. `FMC_ERROR_UNSUPPORTED` for a derivative that is not known, never a zero. By coordinates and
-/// poses: with the law "fiber" unless patches are kept; of sampled energies unless weights are "consistent" and
-/// `momentum_correction` is 0; of forces that are sampled, between curved faces in 3D, and frictional unless friction is frozen. By the
-/// reference: with axisymmetry, friction, curved faces, hanging nodes, ranks, and of forces with a gap offset between bodies. By stiffness
-/// and gap offset: of frictional forces. By gap offsets: of pairs other than bodies with half-spaces. By the coefficient of friction: where
-/// it is 0, and with static friction, cohesion or a shear limit. By rotations: with the law "fiber". Nothing is written then. Threads: one
-/// call at a time on a context.
+/// Errors: as `fmc_context_tangent`; `FMC_ERROR_LENGTH`, `FMC_ERROR_STRUCT_SIZE`, `FMC_ERROR_RESERVED_FIELD`, `FMC_ERROR_UNKNOWN_FLAG` and
+/// `FMC_ERROR_BUFFER_TOO_SMALL`; for `slip_adjoint` as `fmc_context_set_slip`. `FMC_ERROR_UNSUPPORTED` for a derivative that is not known,
+/// never a zero. By coordinates and poses: with the law "fiber" unless patches are kept; of sampled energies unless weights are
+/// "consistent" and `momentum_correction` is 0; of forces that are sampled, between curved faces in 3D, and frictional unless friction is
+/// frozen. By the reference: with axisymmetry, friction, curved faces, hanging nodes, ranks, and of forces with a gap offset between
+/// bodies. By gap offset: of frictional forces; by stiffness: of these with cohesion or a shear limit, or frozen. By slip: with static
+/// friction, or frozen; of the slip at the end of the step: by coordinates, poses and gap offsets. By gap offsets: of pairs other than
+/// bodies with half-spaces. By the coefficient of friction: where it is 0, and with static friction, cohesion or a shear limit. By
+/// rotations: with the law "fiber". Nothing is written then. Threads: one call at a time on a context.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_vjp(
     context: *mut fmc_context,
@@ -55,19 +56,23 @@ pub unsafe extern "C" fn fmc_context_vjp(
         // SAFETY: the host passes a struct.
         let to = *unsafe { reference("gradients", gradients) }?;
         let request = to.request()?;
+        let slip_room = Room::new(to.slip_capacity, to.slip_count)?;
         // SAFETY: the host passes a context and views.
         let lists = unsafe {
             write(context, |state| {
-                let of = (energy, optional("adjoint", adjoint)?);
+                let slip = slice("slip_adjoint", to.slip_adjoint, to.slip_adjoint_count, 1)?;
+                let of = (energy, optional("adjoint", adjoint)?, slip);
                 let base = state.index_base;
                 in_either!(&mut state.session, one => one.vjp(reference("coords", coords)?, of, &request, base))
             })
         }?;
+        slip_room.is_asked("numbers of the slip", &[to.slip.is_null()], lists.slip.len())?;
         let found = if to.of_pairs == 0 { &[][..] } else { &lists.pairs };
         // SAFETY: the host guarantees that the outputs, where given, have room for what they are said to have.
         unsafe {
             room.write("pairs", "pairs", found, pairs)?;
             to.write(&lists);
+            slip_room.write("numbers of the slip", "slip", &lists.slip, to.slip)?;
         }
         Ok(())
     })

@@ -3,15 +3,16 @@
 use super::Resident;
 use crate::capi::boundary::failure::Failure;
 use crate::capi::structs::gradients::{GradientLists, fmc_pair_gradient};
+use crate::capi::structs::slip_row;
 use crate::capi::structs::view::{check_node_count, fmc_coords};
 use crate::contact::GradientRequest;
 
 impl<const D: usize> Resident<D> {
-    /// The derivatives of `energy` times the energy and `adjoint` times the forces.
+    /// The derivatives of `energy` times the energy and `adjoint` times the forces and `slip` times the elastic slip at the end of the step.
     pub(crate) unsafe fn vjp(
         &mut self,
         coords: &fmc_coords,
-        (energy, adjoint): (f64, Option<&fmc_coords>),
+        (energy, adjoint, slip): (f64, Option<&fmc_coords>, &[f64]),
         request: &GradientRequest,
         index_base: i32,
     ) -> Result<GradientLists, Failure> {
@@ -24,14 +25,17 @@ impl<const D: usize> Resident<D> {
             }
             None => None,
         };
+        let slip = slip_row::list(slip)?;
         // SAFETY: passed on to the caller.
-        let found =
-            unsafe { self.at(coords, index_base, |contact, rows| contact.vjp(rows, energy, adjoint, request)) }?;
+        let found = unsafe {
+            self.at(coords, index_base, |contact, rows| contact.vjp_of_step(rows, energy, adjoint, &slip, request))
+        }?;
         let flat = |rows: &[[f64; D]]| rows.as_flattened().to_vec();
         let rotations = found.rotations.as_flattened().to_vec();
         Ok(GradientLists {
             by_place: [flat(&found.coords), flat(&found.reference), flat(&found.positions), rotations],
             pairs: found.pairs.iter().map(fmc_pair_gradient::from).collect(),
+            slip: slip_row::rows(&found.slip),
         })
     }
 }
