@@ -2418,8 +2418,19 @@ typedef struct {
   double *rotations;
   // What is asked for of every pair: a sum of `FMC_GRADIENT_STIFFNESS`, `FMC_GRADIENT_GAP_OFFSET` and `FMC_GRADIENT_FRICTION`, or 0.
   uint64_t of_pairs;
+  // Factors of the elastic slip with which the step ends, a term more beside energy and forces: rows as `fmc_context_slip` writes them.
+  // NULL stands for zeros. `fmc_context_commit_step` at `coords` would carry this slip on.
+  const double *slip_adjoint;
+  // How many numbers these are.
+  size_t slip_adjoint_count;
+  // By the elastic slip that was carried into the step: such rows, of every facet that friction acts on. Room for `slip_capacity` numbers.
+  double *slip;
+  // Room in `slip`.
+  size_t slip_capacity;
+  // Becomes how many numbers there are. With `slip` NULL and no room that alone is asked for; both NULL: neither is.
+  size_t *slip_count;
   // Zero. Room for what later versions know.
-  uint64_t reserved[8];
+  uint64_t reserved[3];
 } fmc_gradients;
 
 // Derivatives by what one pair has; 0 for what was not asked for.
@@ -2752,19 +2763,20 @@ fmc_status fmc_gradients_init(fmc_gradients *gradients);
 // forces, friction included, which is no part of w. `adjoint` has the shape of `coords`; NULL stands for zeros. A host that
 // minimises J(x) with contact in equilibrium passes the solution of the adjoint system, with `energy` 0.
 //
-// All are exact, and partial: each with all else held, the slip at the start of the step too. Where two faces are equally near to a
-// node, the depth has a kink, and the derivative is that of one side.
+// All are exact, and partial: each with all else held, the slip at the start of the step too, by which there is a derivative of its own.
+// Where two faces are equally near to a node, the depth has a kink, and the derivative is that of one side.
 //
 // `count` becomes the number of pairs that touch, 0 unless something of pairs is asked for; `pairs` has room for `capacity`.
 //
-// Errors: as `fmc_context_tangent`; `FMC_ERROR_LENGTH`, `FMC_ERROR_STRUCT_SIZE`, `FMC_ERROR_RESERVED_FIELD`, `FMC_ERROR_UNKNOWN_FLAG`
-// and `FMC_ERROR_BUFFER_TOO_SMALL`. `FMC_ERROR_UNSUPPORTED` for a derivative that is not known, never a zero. By coordinates and
-// poses: with the law "fiber" unless patches are kept; of sampled energies unless weights are "consistent" and
-// `momentum_correction` is 0; of forces that are sampled, between curved faces in 3D, and frictional unless friction is frozen. By the
-// reference: with axisymmetry, friction, curved faces, hanging nodes, ranks, and of forces with a gap offset between bodies. By stiffness
-// and gap offset: of frictional forces. By gap offsets: of pairs other than bodies with half-spaces. By the coefficient of friction: where
-// it is 0, and with static friction, cohesion or a shear limit. By rotations: with the law "fiber". Nothing is written then. Threads: one
-// call at a time on a context.
+// Errors: as `fmc_context_tangent`; `FMC_ERROR_LENGTH`, `FMC_ERROR_STRUCT_SIZE`, `FMC_ERROR_RESERVED_FIELD`, `FMC_ERROR_UNKNOWN_FLAG` and
+// `FMC_ERROR_BUFFER_TOO_SMALL`; for `slip_adjoint` as `fmc_context_set_slip`. `FMC_ERROR_UNSUPPORTED` for a derivative that is not known,
+// never a zero. By coordinates and poses: with the law "fiber" unless patches are kept; of sampled energies unless weights are
+// "consistent" and `momentum_correction` is 0; of forces that are sampled, between curved faces in 3D, and frictional unless friction is
+// frozen. By the reference: with axisymmetry, friction, curved faces, hanging nodes, ranks, and of forces with a gap offset between
+// bodies. By gap offset: of frictional forces; by stiffness: of these with cohesion or a shear limit, or frozen. By slip: with static
+// friction, or frozen; of the slip at the end of the step: by coordinates, poses and gap offsets. By gap offsets: of pairs other than
+// bodies with half-spaces. By the coefficient of friction: where it is 0, and with static friction, cohesion or a shear limit. By
+// rotations: with the law "fiber". Nothing is written then. Threads: one call at a time on a context.
 fmc_status fmc_context_vjp(fmc_context *context,
                            const fmc_coords *coords,
                            double energy,

@@ -629,7 +629,12 @@ module fmc_contact_c
     type(c_ptr) :: positions
     type(c_ptr) :: rotations
     integer(c_int64_t) :: of_pairs
-    integer(c_int64_t) :: reserved(8)
+    type(c_ptr) :: slip_adjoint
+    integer(c_size_t) :: slip_adjoint_count
+    type(c_ptr) :: slip
+    integer(c_size_t) :: slip_capacity
+    type(c_ptr) :: slip_count
+    integer(c_int64_t) :: reserved(3)
   end type
 
   type, bind(c) :: fmc_pair_gradient

@@ -723,7 +723,12 @@ pub struct fmc_gradients {
     pub positions: *mut f64,
     pub rotations: *mut f64,
     pub of_pairs: u64,
-    pub reserved: [u64; 8],
+    pub slip_adjoint: *const f64,
+    pub slip_adjoint_count: usize,
+    pub slip: *mut f64,
+    pub slip_capacity: usize,
+    pub slip_count: *mut usize,
+    pub reserved: [u64; 3],
 }
 
 #[repr(C)]

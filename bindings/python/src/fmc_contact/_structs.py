@@ -567,7 +567,12 @@ class fmc_gradients(Structure):
         ("positions", c_void_p),
         ("rotations", c_void_p),
         ("of_pairs", c_uint64),
-        ("reserved", c_uint64 * 8),
+        ("slip_adjoint", c_void_p),
+        ("slip_adjoint_count", c_size_t),
+        ("slip", c_void_p),
+        ("slip_capacity", c_size_t),
+        ("slip_count", c_void_p),
+        ("reserved", c_uint64 * 3),
     ]
 
 
