@@ -125,10 +125,10 @@ class Block:
         self.factors = np.random.default_rng(5).standard_normal(self.first.shape)
         self.of_forces = np.tile([1.0, 3.0], (len(self.first), 1))
 
-    def solved(self, moved=(0.0, 0.0), turned=0.0, young=YOUNG, slide=0.0, coefficient=0.0, gap_offset=0.0, **options):
+    def solved(self, moved=(0.0, 0.0), turned=0.0, young=YOUNG, slide=0.0, coefficient=0.0, gap_offset=0.0, law=0.0, **options):
         matrix = stiffness(self.first, self.quads, young)
         self.contact = contact = Contact(
-            self.first, self.quads, "quad", stiffness=LAW, friction_coefficient=self.friction + coefficient
+            self.first, self.quads, "quad", stiffness=LAW + law, friction_coefficient=self.friction + coefficient
         )
         add = contact.obstacles.add_capsule if self.obstacle == "capsule" else contact.obstacles.add_half_space
         add(*((0.4, 0.6) if self.obstacle == "capsule" else ((0, 0), (0, 1))))
@@ -188,13 +188,16 @@ def test_by_a_gap_offset(penetration):
 @pytest.mark.parametrize("slide", [0.002, 0.05], ids=["sticks", "slides"])
 def test_with_friction(slide, penetration):
     block = Block("half_space", penetration, 0.3, slide)
-    found, got = block.compare(CLOSED, ("positions", "rotations", "friction", "coords"))
+    found, got = block.compare(CLOSED, ("positions", "rotations", "friction", "coords", "stiffness"))
     friction = found.result.friction
     assert friction.slip_area > 0.2 if slide > 0.01 else friction.stick_area > 10 * friction.slip_area or penetration
     # Updates of multipliers leave some 1e-12 of a value, by the step of the differences.
     differences = slope(lambda by: block.value(coefficient=by), 1e-6 if penetration is None else 1e-5)
     size = max(abs(differences), 1e-3 * np.abs(got.gradients.positions).max())
     assert abs(got.gradients.pairs[0].friction - differences) < CLOSED * size
+    if penetration is None:
+        differences = slope(lambda by: block.value(law=by), 1e-2)
+        assert got.gradients.stiffness == pytest.approx(differences, rel=CLOSED)
 
 
 def test_by_bodies_that_are_all_held():
@@ -317,8 +320,11 @@ def test_what_is_no_derivative_is_told():
         wrong[2, 1] = np.nan
         with pytest.raises(ValueError, match=rf"{name}\[2, 1\] is nan, expected finite numbers"):
             found.adjoint(*((wrong,) if name == "by_x" else (block.factors, wrong)))
-    with pytest.raises(UnsupportedError, match="frictional forces by the stiffness"):
-        found.adjoint(block.factors, by=["stiffness"])
+    with pytest.raises(UnsupportedError, match="friction by reference coordinates"):
+        punch = Punch()
+        contact = Contact(punch.first, punch.quads, "quad", stiffness=LAW, friction_coefficient=0.3)
+        contact.friction.begin_step(punch.first)
+        contact.vjp(punch.first - 0.02 * punch.upper[:, None], np.ones(punch.first.shape), by=["reference"])
     block.contact.friction.commit_step(found.x)
     with pytest.raises(ValueError, match="the contact is not what it was"):
         found.adjoint(block.factors)

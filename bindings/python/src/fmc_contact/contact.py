@@ -22,7 +22,7 @@ from .contact_step import ContactStep, contact_step
 from .fields import ContactPoints, NodalContact, contact_points, nodal_contact
 from .flux import Conductance, ContactFlux, FrictionHeat, flux, friction_heat
 from .forward import Slopes, slopes
-from .friction import FrictionSteps
+from .friction import FrictionSteps, rows_of
 from .gaps import GapConstraints, gap_constraints
 from .gradients import Gradients, gradients, names_of
 from .mesh import Mesh
@@ -662,7 +662,12 @@ class Contact:
             return tie_constraints(self._core.handle, self._core.options.index_base)
 
     def vjp(
-        self, coords: ArrayLike, adjoint: Optional[ArrayLike] = None, energy: float = 0.0, by: Iterable[str] = ("coords",)
+        self,
+        coords: ArrayLike,
+        adjoint: Optional[ArrayLike] = None,
+        energy: float = 0.0,
+        by: Iterable[str] = ("coords",),
+        slip_adjoint: Optional[ArrayLike] = None,
     ) -> Gradients:
         """Derivatives of ``energy * w + (adjoint * forces).sum()``, w being the contact energy: exact, each with all else held.
 
@@ -677,7 +682,10 @@ class Contact:
         by : iterable of str
             What to differentiate by; nothing else is computed. ``"coords"`` · ``"reference"``, the undeformed coordinates, from which
             the law ``"depth"`` has its depths · ``"positions"`` and ``"rotations"`` of the obstacles · ``"stiffness"``,
-            ``"gap_offset"`` and ``"friction"`` (coefficient) of the pairs.
+            ``"gap_offset"`` and ``"friction"`` (coefficient) of the pairs · ``"slip"``, the elastic slip carried into the step.
+        slip_adjoint : array_like, (rows, 8), optional
+            Factors of the elastic slip that ``friction.commit_step(coords)`` would carry on, in rows as ``friction.slip`` has them: a term
+            more. Default: zeros.
 
         Returns
         -------
@@ -704,8 +712,9 @@ class Contact:
         view = coords_view(coords, dim)
         forces = None if adjoint is None else coords_view(adjoint, dim, "adjoint")
         count = self._core.obstacle_count
+        of_slip = None if slip_adjoint is None else rows_of(slip_adjoint, "slip_adjoint")
         with self._core.handle:
-            return gradients(self._core.handle, view, float(energy), forces, names, count, dim)
+            return gradients(self._core.handle, view, float(energy), forces, names, count, dim, of_slip)
 
     def jvp(
         self,

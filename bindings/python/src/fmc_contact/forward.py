@@ -51,6 +51,9 @@ def slopes(
         forces -= _along(contact, coords, motion, positions, rotations)
     if stiffness != 0.0:
         shared = contact.options["stiffness"]
+        slides = contact.evaluate(coords).friction
+        if slides.stick_area + slides.slip_area > 0.0 and contact.options["friction_stiffness"] > 0.0:
+            raise UnsupportedError("rates of frictional forces by a stiffness where sticking contact has a friction_stiffness of its own")
         if any(contact.pairs.options(pair.a, pair.b)["law"] is not None for pair in found.pairs) or shared <= 0.0:
             raise UnsupportedError("rates by a stiffness that not all pairs have from the option 'stiffness'")
         energy += stiffness * found.stiffness

@@ -13,7 +13,15 @@ from ._library import library
 from .errors import LengthError
 
 # Numbers in a row of the slip.
-_WIDTH = 8
+WIDTH = 8
+
+
+def rows_of(slip: ArrayLike, name: str) -> np.ndarray:
+    """Rows of a slip. Errors: ``LengthError``."""
+    values = np.ascontiguousarray(floats(slip, name))
+    if values.ndim != 2 or values.shape[1] != WIDTH:
+        raise LengthError(str(shape_error(name, values.shape, f"(rows, {WIDTH})")))
+    return values
 
 
 class FrictionSteps:
@@ -153,14 +161,12 @@ class FrictionSteps:
         count = c_size_t()
         with self._core.handle:
             self._core.handle.call(library.fmc_context_slip, None, 0, byref(count))
-            found = np.empty((count.value // _WIDTH, _WIDTH))
+            found = np.empty((count.value // WIDTH, WIDTH))
             self._core.handle.call(library.fmc_context_slip, found, found.size, None)
         return found
 
     @slip.setter
     def slip(self, slip: ArrayLike) -> None:
-        values = np.ascontiguousarray(floats(slip, "slip"))
-        if values.ndim != 2 or values.shape[1] != _WIDTH:
-            raise LengthError(str(shape_error("slip", values.shape, f"(rows, {_WIDTH})")))
+        values = rows_of(slip, "slip")
         with self._core.handle:
             self._core.handle.call(library.fmc_context_set_slip, values, values.size)

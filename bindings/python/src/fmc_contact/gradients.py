@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from ctypes import byref, c_size_t
+from ctypes import addressof, byref, c_size_t
 from dataclasses import dataclass
 from typing import Optional
 
@@ -15,11 +15,12 @@ from ._handle import Handle
 from ._library import check, library
 from ._structs import fmc_gradients, fmc_pair_gradient
 from .errors import FmcError
+from .friction import WIDTH
 
 _OF_PAIRS = {"stiffness": FMC_GRADIENT_STIFFNESS, "gap_offset": FMC_GRADIENT_GAP_OFFSET, "friction": FMC_GRADIENT_FRICTION}
 _OF_OBSTACLES = {"positions": None, "rotations": 3}
 _OF_NODES = ("coords", "reference")
-NAMES = (*_OF_NODES, *_OF_OBSTACLES, *_OF_PAIRS)
+NAMES = (*_OF_NODES, *_OF_OBSTACLES, *_OF_PAIRS, "slip")
 
 
 def names_of(by: Iterable[str]) -> tuple[str, ...]:
@@ -47,7 +48,7 @@ class PairGradient:
     gap_offset : float
         By its gap offset.
     friction : float
-        By its coefficient of friction, with the slip at the start of the step held.
+        By its coefficient of friction, with the elastic slip at the start of the step held.
 
     Examples
     --------
@@ -66,6 +67,7 @@ class PairGradient:
 @dataclass(frozen=True, eq=False)
 class Gradients:
     """Derivatives of ``energy * w + (adjoint * forces).sum()``, w being the contact energy; ``None`` for what was not asked for.
+    With ``slip_adjoint`` there is one term more, of the elastic slip with which the step ends.
 
     Attributes
     ----------
@@ -79,6 +81,9 @@ class Gradients:
         By a rotation vector of every obstacle about its position; in 2D only the last entry differs from zero.
     pairs : tuple of PairGradient
         By what each pair that touches has, in the order of the pairs; empty if nothing of them was asked for.
+    slip : ndarray, (rows, 8), or None
+        By the elastic slip carried into the step, in columns 4 to 6: a row as in ``contact.friction.slip`` for each facet that friction
+        acts on.
 
     Examples
     --------
@@ -92,6 +97,7 @@ class Gradients:
     positions: Optional[np.ndarray]
     rotations: Optional[np.ndarray]
     pairs: tuple[PairGradient, ...]
+    slip: Optional[np.ndarray] = None
 
     @property
     def stiffness(self) -> float:
@@ -100,7 +106,14 @@ class Gradients:
 
 
 def gradients(
-    handle: Handle, coords: View, energy: float, adjoint: Optional[View], by: tuple[str, ...], obstacle_count: int, dim: int
+    handle: Handle,
+    coords: View,
+    energy: float,
+    adjoint: Optional[View],
+    by: tuple[str, ...],
+    obstacle_count: int,
+    dim: int,
+    slip_adjoint: Optional[np.ndarray] = None,
 ) -> Gradients:
     """Differentiates at ``coords``."""
     to = fmc_gradients()
@@ -112,7 +125,12 @@ def gradients(
     to.of_pairs = sum(flag for name, flag in _OF_PAIRS.items() if name in by)
     count, capacity = c_size_t(), 16 if to.of_pairs else 0
     forces = None if adjoint is None else byref(adjoint.struct)
+    if slip_adjoint is not None:
+        to.slip_adjoint, to.slip_adjoint_count = slip_adjoint.ctypes.data, slip_adjoint.size
+    slip, slip_count = np.empty((16 if "slip" in by else 0, WIDTH)), c_size_t()
     while True:
+        if "slip" in by:
+            to.slip, to.slip_capacity, to.slip_count = slip.ctypes.data, slip.size, addressof(slip_count)
         pairs = (fmc_pair_gradient * capacity)()
         try:
             handle.call(
@@ -122,11 +140,12 @@ def gradients(
             if error.status != FMC_ERROR_BUFFER_TOO_SMALL:
                 raise
             capacity *= 8
+            slip = np.empty((8 * len(slip), WIDTH))
             continue
         break
     of_pairs = tuple(_pair(pairs[index]) for index in range(count.value))
     by_place = {name: arrays.get(name) for name in (*_OF_NODES, *_OF_OBSTACLES)}
-    return Gradients(**by_place, pairs=of_pairs)
+    return Gradients(**by_place, pairs=of_pairs, slip=slip[: slip_count.value // WIDTH].copy() if "slip" in by else None)
 
 
 def _pair(found: fmc_pair_gradient) -> PairGradient:

@@ -81,7 +81,7 @@ def adjoint(end: End, by_x: ArrayLike, by_forces: Optional[ArrayLike], by: Itera
     seed = finite(by_x, "by_x", shape).ravel()
     seed_of_forces = np.zeros(int(np.prod(nodes))) if by_forces is None else finite(by_forces, "by_forces", nodes).ravel()
     with multipliers_put_back(contact):
-        bodies = _bodies(end)
+        bodies = bodies_of_end(end)
         found = Place(end, bodies, end.x.ravel())
         place = closed(end, bodies, found)
         if place is None:
@@ -102,7 +102,7 @@ def adjoint(end: End, by_x: ArrayLike, by_forces: Optional[ArrayLike], by: Itera
     return Adjoint(balance.reshape(shape), of_gaps, prescribed.reshape(shape), gradients, texts, there.x.reshape(shape), closing, change)
 
 
-def _bodies(end: End) -> Bodies:
+def bodies_of_end(end: End) -> Bodies:
     """Errors: ``ValueError`` where the contact is not what it was; ``UnsupportedError``."""
     if isinstance(end.given, Host):
         raise UnsupportedError("the adjoint of bodies that solve by themselves")
@@ -148,7 +148,7 @@ def _gradients(
     pairs = known.pairs
     if "gap_offset" in names:
         pairs = tuple(replace(pair, gap_offset=pair.gap_offset + _by_gap_offset(at, of_gaps, pair)) for pair in pairs)
-    return Gradients(**found, pairs=pairs)
+    return Gradients(**found, pairs=pairs, slip=known.slip)
 
 
 def _by_gap_offset(at: AtEquilibrium, of_gaps: np.ndarray, pair: PairGradient) -> float:
