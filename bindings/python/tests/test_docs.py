@@ -158,6 +158,7 @@ PIECES = {
         ("", "assert shape.shape == (8, 2) and abs(force) > 1"),
         # Springs of 1e3 up the sides and across, and the contact: half a force of the load for each node.
         ("", "assert found.result.forces[:, 1].sum() > 1 and not adjoint.warnings, found.result.forces"),
+        ("", "assert abs(by_friction) > 1e-3 and 0.2 < by_rates[-1] < 0.4 and history.kept <= 20"),
     ],
     "large-problems.md": [None],  # hosts/dolfinx/tests
     "newton.md": [

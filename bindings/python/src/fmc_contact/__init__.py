@@ -32,7 +32,7 @@ from .partition import CARRIED_SLIP, GatheredCounts, PartitionedContact
 from .points import PointWeights
 from .pose import Pose
 from .result import ContactWarning, Friction, Pair, Result, Resultant
-from .search import Adjoint, Equilibrium, NoSupportError, NotConvergedError, check_host, find_equilibrium
+from .search import Adjoint, Equilibrium, History, HistoryStart, NoSupportError, NotConvergedError, StepAdjoint, check_host, find_equilibrium
 from .shape import Part, Shape
 from .stateless import contact_force, contact_force_step
 from .step_limit import StepLimit
@@ -89,6 +89,8 @@ __all__ = [
     "GapConstraints",
     "GatheredCounts",
     "Gradients",
+    "History",
+    "HistoryStart",
     "NoSupportError",
     "NodalContact",
     "NotConvergedError",
@@ -106,6 +108,7 @@ __all__ = [
     "Resultant",
     "Shape",
     "Slopes",
+    "StepAdjoint",
     "StepLimit",
     "Tangent",
     "Tie",

@@ -166,7 +166,7 @@ class AtEquilibrium:
         """Differences along one axis of the pose."""
         ends, step = [], self.step if axis < self.dim else STEP
         for by in (step, -step):
-            self.contact.obstacles.set_pose(obstacle, _moved(pose, axis, by))
+            self.contact.obstacles.set_pose(obstacle, moved_pose(pose, axis, by))
             forces = np.zeros(self.coords.size) if self.is_exact else self._forces(self.coords.ravel())
             gaps = np.zeros(0)
             if len(self.values):
@@ -177,7 +177,7 @@ class AtEquilibrium:
         return along
 
 
-def _moved(pose: Pose, axis: int, by: float) -> Pose:
+def moved_pose(pose: Pose, axis: int, by: float) -> Pose:
     """A pose farther on along an axis, or turned about one by a small angle."""
     dim, position, turn = len(pose.position), pose.position.copy(), np.eye(3)
     if axis < dim:

@@ -24,10 +24,13 @@ def colours(pattern: Any) -> list[np.ndarray]:
     return [np.flatnonzero(colour == one) for one in range(colour.max(initial=-1) + 1)]
 
 
-def slopes(function: Callable[[np.ndarray], np.ndarray], x: np.ndarray, pattern: Any, step: float) -> tuple[Any, np.ndarray]:
+def slopes(
+    function: Callable[[np.ndarray], np.ndarray], x: np.ndarray, pattern: Any, step: float, size: float = 0.0
+) -> tuple[Any, np.ndarray]:
     """The derivative of a function of a vector by central differences, and the columns at which the slopes on both sides differ.
 
-    ``pattern``: which entries may differ from zero. There are two calls for each colour."""
+    ``pattern``: which entries may differ from zero. There are two calls for each colour. ``size``: of a slope that is not small, where all
+    of them may be rounding."""
     here = function(x)
 
     def ends(moved: np.ndarray) -> np.ndarray:
@@ -36,7 +39,7 @@ def slopes(function: Callable[[np.ndarray], np.ndarray], x: np.ndarray, pattern:
 
     both, jumps, columns = _by_colours(ends, pattern, step)
     both.data /= 2
-    return both, np.unique(columns[jumps > EDGE * np.abs(both.data).max(initial=0.0)])
+    return both, np.unique(columns[jumps > EDGE * np.abs(both.data).max(initial=size)])
 
 
 def slopes_ahead(function: Callable[[np.ndarray], np.ndarray], x: np.ndarray, pattern: Any, step: float) -> Any:
