@@ -50,7 +50,8 @@ def main(program, states):
         resultants=[[body.force for body in found.result.bodies] for found, _ in calls],
         iterations=[found.iterations for found, _ in calls],
         updates=[found.updates for found, _ in calls],
-        penetration=[found.penetration for found, _ in calls],
+        # None where nothing presses.
+        penetration=np.array([found.penetration for found, _ in calls], dtype=float),
         warnings=["; ".join(found.warnings) for found, _ in calls],
     )
 
