@@ -88,8 +88,27 @@ struct Row<E, T, std::enable_if_t<(E::SizeAtCompileTime > 0)>> {
   static constexpr std::size_t length = sizeof(E) / sizeof(T);
 };
 
+// Where the numbers of a container are, and how many: data() and size(), or an array. Else GetData() and Size(), as MFEM has them; what
+// has rows and columns, a Height(), is no such list.
 template <class C>
-using pointer_of = decltype(std::data(std::declval<C &>()));
+constexpr auto data_of(C &container, int) -> decltype(std::data(container)) { return std::data(container); }
+template <class C>
+constexpr auto size_of(const C &container, int) -> decltype(std::size(container)) { return std::size(container); }
+
+template <class C, class = void>
+struct HasHeight : std::false_type {};
+template <class C>
+struct HasHeight<C, std::void_t<decltype(std::declval<const C &>().Height())>> : std::true_type {};
+
+// Constant where the container is, though its GetData() may not be.
+template <class C, class E = std::remove_pointer_t<decltype(std::declval<C &>().GetData())>,
+          class = std::enable_if_t<!HasHeight<C>::value>>
+constexpr auto data_of(C &container, long) -> std::conditional_t<std::is_const_v<C>, const E, E> * { return container.GetData(); }
+template <class C>
+constexpr auto size_of(const C &container, long) -> decltype(container.Size()) { return container.Size(); }
+
+template <class C>
+using pointer_of = decltype(data_of(std::declval<C &>(), 0));
 template <class C>
 using element_of = std::remove_cv_t<std::remove_pointer_t<pointer_of<C>>>;
 
@@ -101,7 +120,7 @@ using passed = std::conditional_t<std::is_lvalue_reference_v<C>, std::remove_ref
 template <class C, class T, class = void>
 struct IsViewable : std::false_type {};
 template <class C, class T>
-struct IsViewable<C, T, std::void_t<pointer_of<C>, decltype(std::size(std::declval<C &>()))>>
+struct IsViewable<C, T, std::void_t<pointer_of<C>, decltype(size_of(std::declval<C &>(), 0))>>
     : std::bool_constant<Row<element_of<C>, std::remove_const_t<T>>::ok &&
                          (std::is_const_v<T> || !std::is_const_v<std::remove_pointer_t<pointer_of<C>>>)> {};
 
@@ -121,7 +140,8 @@ constexpr bool is_vector = C::RowsAtCompileTime == 1 || C::ColsAtCompileTime == 
 
 // Numbers of the host, one after the other: not owned, not copied, and read or written during the call only. Made from
 // whatever has data() and size(), or is an array: std::vector, std::array, std::span, Eigen's; also of rows that are arrays
-// themselves, such as std::vector<std::array<double, 3>>. What is to be written must not be a temporary container.
+// themselves, such as std::vector<std::array<double, 3>>; and of MFEM's vectors and arrays, by GetData() and Size(). What is to be
+// written must not be a temporary container.
 //
 // Integers are taken from any type of the same size. Throws `FMC_ERROR_STRIDE` for a matrix with gaps between its entries.
 template <class T>
@@ -145,8 +165,8 @@ class View {
     } else {
       row_ = Row::length;
     }
-    data_ = reinterpret_cast<T *>(std::data(container));
-    size_ = static_cast<std::size_t>(std::size(container)) * (Row::length > 0 ? Row::length : 1);
+    data_ = reinterpret_cast<T *>(detail::data_of(container, 0));
+    size_ = static_cast<std::size_t>(detail::size_of(container, 0)) * (Row::length > 0 ? Row::length : 1);
   }
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC diagnostic push

@@ -35,6 +35,18 @@ struct Matrix {
   }
 };
 
+// A list of MFEM: its const vectors give pointers to what may be written.
+template <class T>
+struct Listed {
+  std::vector<T> entries;
+  T *GetData() const { return const_cast<T *>(entries.data()); }
+  int Size() const { return static_cast<int>(entries.size()); }
+};
+// A matrix of MFEM, whose Size() is that of its side.
+struct Square : Listed<double> {
+  int Height() const { return 2; }
+};
+
 const std::vector<double> coords = {0, 0, 1, 0, 1, 1, 0, 1, 0.99, 0.1, 1.99, 0.1, 1.99, 0.9, 0.99, 0.9};
 const std::vector<int32_t> quads = {0, 1, 2, 3, 4, 5, 6, 7};
 const fmc::Options options(1e5);
@@ -85,6 +97,11 @@ int main() try {
   contact.evaluate(std::span<const double>(coords), std::span(forces));
   EXPECT(same());
 #endif
+
+  const Listed<double> listed{coords};
+  Listed<double> listed_forces{std::vector<double>(16)};
+  fmc::Context(2, listed, {{FMC_QUAD4, Listed<int>{quads}}}, options).evaluate(listed, listed_forces);
+  EXPECT(listed_forces.entries == expected);
 
   // 2. All x, then all y.
   std::vector<double> apart(16), apart_forces(16);
@@ -168,6 +185,8 @@ int main() try {
   static_assert(!std::is_convertible_v<const std::vector<double> &, fmc::Forces>);
   static_assert(!std::is_convertible_v<std::vector<double>, fmc::Forces>);
   static_assert(!std::is_convertible_v<std::vector<float> &, fmc::Coords>);
+  static_assert(!std::is_convertible_v<const Listed<double> &, fmc::Forces> && !std::is_convertible_v<Listed<double>, fmc::Forces>);
+  static_assert(!std::is_convertible_v<Listed<float> &, fmc::Coords> && !std::is_convertible_v<Square &, fmc::Coords>);
   static_assert(!std::is_convertible_v<std::vector<int32_t> &, fmc::View<const int64_t>>);
   static_assert(!std::is_convertible_v<std::vector<std::vector<double>> &, fmc::Coords>);
   static_assert(!std::is_copy_constructible_v<fmc::Context> && std::is_nothrow_move_constructible_v<fmc::Context>);
