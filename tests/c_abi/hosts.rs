@@ -1,11 +1,11 @@
 //! The hosts in hosts/c and hosts/cpp, and the programs in benchmarks/host_checks: compiled without a warning, run, and run again under valgrind.
 
-use super::program::{built, compiler, is_sanitized, root, run, scratch, succeed, watched};
+use super::program::{built, compiler, is_sanitized, root, run, scratch, shared_library, succeed, watched};
 use super::symbols::declared;
 use std::collections::BTreeSet;
+use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
-use std::{fs, os::unix::fs::symlink};
 
 /// What a static link needs beside the library (`rustc --print native-static-libs`).
 const NATIVE: [&str; 3] = ["-lpthread", "-ldl", "-lm"];
@@ -35,11 +35,7 @@ fn compile(source: &str, folder: &Path, link: Link) -> PathBuf {
     command.arg("-o").arg(&program).arg(place(language, source));
     match link {
         Link::Shared => {
-            // The program asks for the library by its soname, so that is the name it must be found under.
-            let name =
-                concat!("libfmc_contact.so.", env!("CARGO_PKG_VERSION_MAJOR"), ".", env!("CARGO_PKG_VERSION_MINOR"));
-            symlink(built().join("libfmc_contact.so"), folder.join(name)).expect("a link");
-            command.arg(folder.join(name)).arg(format!("-Wl,-rpath,{}", folder.display()));
+            command.arg(shared_library(folder)).arg(format!("-Wl,-rpath,{}", folder.display()));
         }
         Link::Static => {
             command.arg(built().join("libfmc_contact.a")).args(NATIVE);

@@ -3,6 +3,7 @@
 //! These tests call cc, c++, gfortran, nm, readelf, valgrind, make, pkg-config and cmake; `make test` installs what is missing.
 
 mod declarations;
+mod febio;
 mod fortran;
 mod generated;
 mod growth;

@@ -1,5 +1,6 @@
 //! Programs that the tests call, and the places they work in.
 
+use std::os::unix::fs::symlink;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 use std::{env, fs};
@@ -20,6 +21,13 @@ pub(crate) fn scratch(name: &str) -> PathBuf {
     let _ = fs::remove_dir_all(&folder);
     fs::create_dir_all(&folder).expect("a folder for the test");
     folder
+}
+
+/// The shared library under its soname, by which programs ask for it, in a folder that is then their path.
+pub(crate) fn shared_library(folder: &Path) -> PathBuf {
+    let name = concat!("libfmc_contact.so.", env!("CARGO_PKG_VERSION_MAJOR"), ".", env!("CARGO_PKG_VERSION_MINOR"));
+    symlink(built().join("libfmc_contact.so"), folder.join(name)).expect("a link");
+    folder.join(name)
 }
 
 /// Runs a program to its end, with a word of help where it is missing.
