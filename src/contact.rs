@@ -9,6 +9,7 @@ mod explicit;
 mod flux;
 mod friction;
 mod glides;
+mod held;
 mod history;
 mod interface;
 mod laws;

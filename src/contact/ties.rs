@@ -3,5 +3,5 @@
 mod held;
 mod results;
 
-pub(super) use held::{TieChange, TieMultipliers, Ties};
+pub(super) use held::{TieChange, TieKept, TieMultipliers, Ties};
 pub use results::{TieConstraints, TieNode, TieSummary};

@@ -5,10 +5,12 @@ use crate::Error;
 use crate::contact::evaluation::Contact;
 use crate::contact::mesh::Mesh;
 use crate::contact::method::{Method, Options};
-use crate::contact::partners::{LayerStiffness, PairOptions};
+use crate::contact::partners::{Interface, LayerStiffness, PairOptions};
+use crate::contact::ties::TieKept;
 use crate::geometry::Pose;
 use crate::interfaces::Cohesive;
 use crate::overlap::Partner;
+use std::collections::BTreeMap;
 
 /// Replaces the options of all pairs that have none of their own. On an error the old ones stay.
 pub(crate) fn set<const D: usize>(contact: &mut Contact<D>, options: Options) -> Result<(), Error> {
@@ -99,49 +101,39 @@ fn set_interface<const D: usize>(
 ) -> Result<(), Error> {
     let [Partner::Body(a), Partner::Body(b)] = pair else { return Ok(()) };
     let Contact { mesh, method, ties, glides, cohesions, history, .. } = contact;
-    let surfaces = options.and_then(|options| options.surfaces);
-    let between = |reach| mesh.between([a, b], surfaces, reach);
-    let reach = options.and_then(|options| options.tied_within()).map(between).transpose()?;
-    let sliding = options.and_then(|options| options.slides_within()).map(between).transpose()?;
-    let with_options = |own: Cohesive| Ok::<_, Error>((own, between(own.reach)?));
-    let cohesive = options.and_then(|options| options.cohesive()).map(with_options).transpose()?;
-    if sliding.is_some() {
-        mesh.surface.refuse_submesh("bodies that do not separate, of a mesh in parts")?;
-        if mesh.surface.cells.is_none() {
-            return Err(Error::Unsupported { what: "bodies that do not separate, without cells" });
-        }
-    }
-    if reach.is_some() {
-        mesh.surface.refuse_submesh("bodies that are tied, of a mesh in parts")?;
-        if mesh.surface.cells.is_none() {
-            return Err(Error::Unsupported { what: "bodies that are tied, without cells" });
-        }
-    }
-    if cohesive.is_some() {
-        mesh.surface.refuse_submesh("a cohesive interface of a mesh in parts")?;
-        if mesh.surface.cells.is_none() {
-            return Err(Error::Unsupported { what: "a cohesive interface of bodies without cells" });
-        }
-    }
-    // What can fail comes first; all others are none.
-    let (slides, breaks) = (sliding.is_some(), cohesive.is_some());
-    if slides {
-        glides.set([a, b], sliding, mesh, method.weighting())?;
-    }
-    let is_new = match cohesive {
-        Some(_) => cohesions.set([a, b], cohesive, mesh, method.weighting())?,
-        None => {
-            ties.set([a, b], reach, mesh, method.weighting())?;
-            cohesions.set([a, b], None, mesh, method.weighting())?
-        }
+    let (interface, surfaces) = options.map_or((Interface::Contact, None), |own| (own.held(), own.surfaces));
+    let between = |reach, [in_parts, without_cells]: [&'static str; 2]| {
+        let between = mesh.between([a, b], surfaces, reach)?;
+        mesh.surface.refuse_submesh(in_parts)?;
+        mesh.surface.cells.as_ref().map(|_| between).ok_or(Error::Unsupported { what: without_cells })
     };
-    if !slides {
-        glides.set([a, b], None, mesh, method.weighting())?;
+    let on = (&*mesh, method.weighting());
+    let mut is_new = false;
+    match interface {
+        Interface::Tied { reach } => {
+            let names = ["bodies that are tied, of a mesh in parts", "bodies that are tied, without cells"];
+            ties.set(between(reach, names)?, (TieKept::default(), |_| true), on)?;
+        }
+        Interface::NoSeparation { reach } => {
+            let names =
+                ["bodies that do not separate, of a mesh in parts", "bodies that do not separate, without cells"];
+            glides.set(between(reach, names)?, (BTreeMap::new(), |_| true), on)?;
+        }
+        Interface::Cohesive(own) => {
+            let names = ["a cohesive interface of a mesh in parts", "a cohesive interface of bodies without cells"];
+            let kept = ((own, None), |kept: &(Cohesive, _)| kept.0 == own);
+            is_new = cohesions.set(between(own.reach, names)?, kept, on)?;
+        }
+        Interface::Contact | Interface::Rough => {}
     }
-    if breaks {
-        ties.set([a, b], None, mesh, method.weighting())?;
+    // What held the pair before goes once nothing can fail any more.
+    if !matches!(interface, Interface::Tied { .. }) {
+        ties.release([a, b]);
     }
-    if is_new {
+    if !matches!(interface, Interface::NoSeparation { .. }) {
+        glides.release([a, b]);
+    }
+    if is_new || !matches!(interface, Interface::Cohesive(_)) && cohesions.release([a, b]) {
         history.damage.remove(&[a, b]);
     }
     take_out_of_contact(contact);
@@ -159,9 +151,8 @@ pub(crate) fn find_interfaces_again<const D: usize>(contact: &mut Contact<D>) {
 
 /// Where parts of surfaces are held together, all else of the same bodies is in contact.
 fn take_out_of_contact<const D: usize>(contact: &mut Contact<D>) {
-    let Contact { mesh, ties, glides, cohesions, .. } = contact;
-    let facets = ties.facets().chain(glides.facets()).chain(cohesions.facets());
-    mesh.set_tied(facets.map(|(bodies, facets)| (bodies, facets.clone())).collect());
+    let facets = contact.held_facets().map(|(bodies, facets)| (bodies, facets.clone())).collect();
+    contact.mesh.set_tied(facets);
 }
 
 /// Sets the coordinates without deformation, on which ties are found.

@@ -4,6 +4,7 @@ use crate::Error;
 use crate::contact::changes;
 use crate::contact::evaluation::Contact;
 use crate::contact::partners::LayerStiffness;
+use crate::interfaces::CohesiveLaw;
 use crate::overlap::Partner;
 
 /// Stiffness of a tie by that of contact, where the layers of cells give both. A tie neither opens nor locks; where several meet, nodes that
@@ -50,8 +51,7 @@ impl<const D: usize> Contact<D> {
     /// separate have too, and of a cohesive interface that the row moves. Damage makes an interface no stiffer.
     pub(crate) fn stiffness_by_row(&self) -> Vec<f64> {
         let of_laws = self.partners.laws(&self.method).filter_map(|law| law.initial_stiffness()).fold(0.0, f64::max);
-        let has_stiffer =
-            !(self.ties.is_empty() && self.glides.is_empty()) && self.method.options().law.is_without_stiffness();
+        let has_stiffer = self.has_ties() && self.method.options().law.is_without_stiffness();
         let of_laws = if has_stiffer { TIED * of_laws } else { of_laws };
         let mut by_row = vec![of_laws; self.mesh.surface.unknown_count()];
         if self.cohesions.is_empty() {
@@ -59,11 +59,12 @@ impl<const D: usize> Contact<D> {
         }
         let weights = self.mesh.surface.point_weights();
         // One that is not on this mesh is an error of every evaluation.
-        for (cohesion, law) in self.cohesions.all().flatten() {
+        for (cohesion, (options, _)) in self.cohesions.all().flatten() {
+            let most = CohesiveLaw::new(options).largest_stiffness();
             for &node in &cohesion.nodes {
                 for (row, weight) in weights.row(node as usize) {
                     let stiffness = &mut by_row[row as usize];
-                    *stiffness = if weight == 0.0 { *stiffness } else { stiffness.max(law.largest_stiffness()) };
+                    *stiffness = if weight == 0.0 { *stiffness } else { stiffness.max(most) };
                 }
             }
         }

@@ -38,25 +38,21 @@ fn through_interfaces<const D: usize>(
 ) -> Result<Vec<Vec<Block<1>>>, Error> {
     let Contact { mesh, method, ties, glides, cohesions, .. } = contact;
     let mut parts = Vec::new();
-    if ties.is_empty() && glides.is_empty() && cohesions.is_empty() {
+    if !contact.has_held() {
         return Ok(parts);
     }
     let reference = mesh.surface.points(&mesh.placed(mesh.surface.reference().into()));
     let now = mesh.surface.points(points);
     let surfaces =
         HeldSurfaces { surface: &mesh.surface, reference: &reference, now: &now, weighting: method.weighting() };
-    let stiffness = |bodies: [usize; 2]| contact.stiffness_of_tie(bodies.map(Partner::Body));
-    for held in ties.of_pairs() {
-        let (tie, multipliers) = held?;
-        let tractions = tie.at(points, stiffness(tie.bodies), multipliers).tractions;
-        parts.push(of_tie(tie, &tractions, &surfaces, conductance));
+    // Nothing flows through ties that were added.
+    for (tie, at, _) in ties.there((contact, points))?.into_iter().filter(|(.., added)| *added == 0) {
+        parts.push(of_tie(tie, &at.tractions, &surfaces, conductance));
     }
-    for held in glides.all() {
-        let (glide, multipliers) = held?;
-        let at = glide.at(points, stiffness(glide.first.between.bodies), multipliers);
+    for (glide, at, _) in glides.there((contact, points))? {
         parts.push(of_glide(glide, &at, &surfaces, conductance));
     }
-    for (cohesion, at) in cohesions.at(points, contact.past())? {
+    for (cohesion, at, _) in cohesions.there((contact, points))? {
         parts.push(of_cohesion(cohesion, &at, conductance));
     }
     Ok(parts)

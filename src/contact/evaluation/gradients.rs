@@ -23,9 +23,9 @@ pub(super) fn gradients_in<const D: usize>(
     request: &GradientRequest,
 ) -> Result<Gradients<D>, Error> {
     check_ready(contact)?;
-    let is_held = !(contact.ties.is_empty() && contact.glides.is_empty());
     let of_slip = request.slip || !slip.is_empty();
-    if is_held && (request.reference || request.stiffness || request.gap_offsets || request.friction || of_slip) {
+    let by_others = request.reference || request.stiffness || request.gap_offsets || request.friction || of_slip;
+    if contact.has_ties() && by_others {
         let what = "a derivative with bodies that are tied or do not separate, but by coordinates and poses";
         return Err(Error::Unsupported { what });
     }

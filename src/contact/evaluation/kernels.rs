@@ -169,7 +169,7 @@ fn forces_of<const D: usize>(
     tractions: &[Tractions<D>],
 ) -> Result<ContactForces<D>, Error> {
     let mut energies: Vec<_> = energies.collect();
-    if !(contact.ties.is_empty() && contact.glides.is_empty() && contact.cohesions.is_empty()) {
+    if contact.has_held() {
         energies.sort_by_key(|energy| (energy.overlap.a, energy.overlap.b));
     }
     let mut forces = ContactForces::assemble(

@@ -43,18 +43,7 @@ pub(super) fn measured_pairs<const D: usize>(
         Ok(Some((answer, tractions)))
     })?;
     let (mut answers, tractions): (Vec<_>, Vec<_>) = found.into_iter().unzip();
-    if !contact.ties.is_empty() {
-        let stiffness = |pair| contact.stiffness_of_tie(pair);
-        answers.extend(contact.ties.measured(coords.unshifted, stiffness, (asked.energy, asked.tangent))?);
-    }
-    if !contact.glides.is_empty() {
-        let stiffness = |pair| contact.stiffness_of_tie(pair);
-        answers.extend(contact.glides.measured(coords.unshifted, stiffness, (asked.energy, asked.tangent))?);
-    }
-    if !contact.cohesions.is_empty() {
-        let past = contact.past();
-        answers.extend(contact.cohesions.measured(coords.unshifted, past, (asked.energy, asked.tangent))?);
-    }
+    answers.extend(contact.answers_of_held(coords.unshifted, (asked.energy, asked.tangent))?);
     let mut tractions: Vec<_> = tractions.into_iter().flatten().collect();
     if asked.apart {
         return Ok((answers, tractions));

@@ -3,7 +3,7 @@
 use crate::Error;
 use crate::contact::cohesive::{Breaking, CohesivePoint, CohesiveSummary};
 use crate::contact::evaluation::Contact;
-use crate::interfaces::{PointDamage, PointHistory};
+use crate::interfaces::{CohesiveLaw, PointDamage, PointHistory};
 use crate::overlap::Partner;
 
 impl<const D: usize> Contact<D> {
@@ -16,25 +16,27 @@ impl<const D: usize> Contact<D> {
         let pair = self.partners.checked_pair(bodies.map(Partner::Body), self.mesh.surface.body_count())?;
         let points = self.mesh.points(coords)?;
         self.mesh.surface.check_coords(&points, false)?;
-        let all = self.cohesions.at(&points, self.past())?;
-        Ok(all.into_iter().find(|(cohesion, _)| cohesion.bodies.map(Partner::Body) == pair).map(|(cohesion, at)| {
-            let [stored, dissipated, rubbed, viscous] = at.energies();
-            let area_of = |is: fn(f64) -> bool| {
-                // The sum of none would be −0.
-                at.points().filter(|(_, at)| is(at.now().damage)).fold(0.0, |sum, (point, _)| sum + point.measure)
-            };
-            CohesiveSummary {
-                area: cohesion.area,
-                largest_gap: cohesion.largest_gap,
-                count: cohesion.points.len(),
-                stored,
-                dissipated,
-                rubbed,
-                viscous,
-                damaged_area: area_of(|damage| damage > 0.0),
-                broken_area: area_of(|damage| damage >= 1.0),
-            }
-        }))
+        let all = self.cohesions.there((self, &points))?;
+        Ok(all.into_iter().find(|(cohesion, ..)| cohesion.bodies.map(Partner::Body) == pair).map(
+            |(cohesion, at, _)| {
+                let [stored, dissipated, rubbed, viscous] = at.energies();
+                let area_of = |is: fn(f64) -> bool| {
+                    // The sum of none would be −0.
+                    at.points().filter(|(_, at)| is(at.now().damage)).fold(0.0, |sum, (point, _)| sum + point.measure)
+                };
+                CohesiveSummary {
+                    area: cohesion.area,
+                    largest_gap: cohesion.largest_gap,
+                    count: cohesion.points.len(),
+                    stored,
+                    dissipated,
+                    rubbed,
+                    viscous,
+                    damaged_area: area_of(|damage| damage > 0.0),
+                    broken_area: area_of(|damage| damage >= 1.0),
+                }
+            },
+        ))
     }
 
     /// Those whose damage is more at `coords` than what was accepted last.
@@ -46,10 +48,10 @@ impl<const D: usize> Contact<D> {
             return Ok(Vec::new());
         }
         let points = self.mesh.points(coords)?;
-        let (at, before) = (self.cohesions.at(&points, self.past())?, self.damage()?);
+        let (at, before) = (self.cohesions.there((self, &points))?, self.damage()?);
         let (mut found, mut before) = (Vec::new(), before.iter());
-        for ((cohesion, at), law) in at.into_iter().zip(self.cohesions.all()) {
-            let (_, law) = law?;
+        for ((cohesion, at, _), held) in at.into_iter().zip(self.cohesions.all()) {
+            let law = CohesiveLaw::new(&held?.1.0);
             let (mut damaged, mut broken, mut strengths) = (0.0, 0.0, [0.0; 2]);
             for ((point, at), before) in at.points().zip(&mut before) {
                 let (part, now) = (point.measure / cohesion.area, at.now().damage);
@@ -74,7 +76,7 @@ impl<const D: usize> Contact<D> {
         let points = self.mesh.points(coords)?;
         self.mesh.surface.check_coords(&points, false)?;
         let mut found = Vec::new();
-        for (cohesion, at) in self.cohesions.at(&points, self.past())? {
+        for (cohesion, at, _) in self.cohesions.there((self, &points))? {
             found.extend(at.points().map(|(point, at)| CohesivePoint {
                 bodies: cohesion.bodies,
                 position: cohesion.position(point, &points).into(),

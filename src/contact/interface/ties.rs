@@ -34,9 +34,7 @@ impl<const D: usize> Contact<D> {
         let points = self.mesh.points(coords)?;
         self.mesh.surface.check_coords(&points, false)?;
         let mut found = Vec::new();
-        for held in self.ties.all() {
-            let (tie, multipliers) = held?;
-            let at = tie.at(&points, self.stiffness_of_tie(tie.bodies.map(Partner::Body)), multipliers);
+        for (tie, at, _) in self.ties.there((self, &points))? {
             let [a, b] = tie.bodies;
             let bodies = if tie.is_second { [b, a] } else { [a, b] };
             for (row, (jump, traction)) in tie.rows.iter().zip(at.jumps.iter().zip(&at.tractions)) {
@@ -49,10 +47,8 @@ impl<const D: usize> Contact<D> {
                 });
             }
         }
-        for held in self.glides.all() {
-            let (glide, multipliers) = held?;
+        for (glide, at, _) in self.glides.there((self, &points))? {
             let [a, b] = glide.first.between.bodies;
-            let at = glide.at(&points, self.stiffness_of_tie([a, b].map(Partner::Body)), multipliers);
             let bodies = if glide.first.is_second { [b, a] } else { [a, b] };
             for (number, (row, (gap, traction))) in glide.rows.iter().zip(at.gaps.iter().zip(&at.tractions)).enumerate()
             {
@@ -71,15 +67,11 @@ impl<const D: usize> Contact<D> {
         coords: &[[f64; D]],
         motions: &[Vec<[f64; D]>],
     ) -> Result<Vec<Vec<[f64; D]>>, Error> {
-        if self.ties.is_empty() && self.glides.is_empty() && self.cohesions.is_empty() {
+        if !self.has_held() {
             return Ok(Vec::new());
         }
         let points = self.mesh.points(coords)?;
-        let stiffness = |pair| self.stiffness_of_tie(pair);
-        let part = Some(TangentPart::Semidefinite);
-        let mut parts = self.ties.measured(&points, stiffness, (false, part))?;
-        parts.extend(self.glides.measured(&points, stiffness, (false, part))?);
-        parts.extend(self.cohesions.measured(&points, self.past(), (false, part))?);
+        let parts = self.answers_of_held(&points, (false, Some(TangentPart::Semidefinite)))?;
         let tangent = Tangent::sum(parts.into_iter().filter_map(|part| part.tangent).collect());
         let tangent = match self.mesh.surface.division() {
             Some(division) => tangent.onto_nodes(division),

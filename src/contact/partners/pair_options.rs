@@ -130,33 +130,9 @@ impl PairOptions {
         Self { interface: Interface::Cohesive(cohesive), ..Self::default() }
     }
 
-    /// Whether an interface holds it, if it has one that does: it is not left out, unless named parts are held beside faces that are.
-    fn may_be_held(&self) -> bool {
-        !self.excluded || self.surfaces.is_some()
-    }
-
-    /// The interface that breaks, if the pair has one.
-    pub(crate) fn cohesive(&self) -> Option<Cohesive> {
-        match self.interface {
-            Interface::Cohesive(cohesive) if self.may_be_held() => Some(cohesive),
-            _ => None,
-        }
-    }
-
-    /// The reach of a tie, if the pair is one.
-    pub(crate) fn tied_within(&self) -> Option<f64> {
-        match self.interface {
-            Interface::Tied { reach } if self.may_be_held() => Some(reach),
-            _ => None,
-        }
-    }
-
-    /// The reach of what slides and does not separate, if the pair does so.
-    pub(crate) fn slides_within(&self) -> Option<f64> {
-        match self.interface {
-            Interface::NoSeparation { reach } if self.may_be_held() => Some(reach),
-            _ => None,
-        }
+    /// What holds it: nothing of a pair that is left out, unless named parts are held beside faces that are.
+    pub(crate) fn held(&self) -> Interface {
+        if self.excluded && self.surfaces.is_none() { Interface::Contact } else { self.interface }
     }
 
     /// The same between named parts of their surfaces alone.

@@ -1,52 +1,80 @@
 //! The ties of a contact.
 
 use crate::Error;
-use crate::contact::laws::{Answer, PairEnergy};
+use crate::contact::held::{At, Finder, Found, Held, HeldList, Key};
+use crate::contact::laws::PairEnergy;
 use crate::contact::mesh::Mesh;
-use crate::contact::tangents::{Tangent, TangentPart};
+use crate::contact::tangents::TangentPart;
 use crate::geometry::{Vector, Weighting};
 use crate::interfaces::{Between, Curvature, HeldFacets, Tie, TieAt};
-use crate::overlap::Partner;
+use crate::overlap::{Block, Partner};
 use std::collections::BTreeMap;
 
 /// Ties by pair of bodies, ascending.
-#[derive(Default)]
-pub(crate) struct Ties<const D: usize> {
-    held: BTreeMap<TieKey, Held<D>>,
-    /// How many were ever added beside the options of pairs.
-    added: usize,
-}
+pub(crate) type Ties<const D: usize> = HeldList<Tie<D>, D>;
 
-/// Two bodies and the number of a tie that was added between them; 0 for that of the options of their pair.
-pub(crate) type TieKey = ([usize; 2], usize);
-
-struct Held<const D: usize> {
-    between: Between,
-    /// As the mesh is without deformation; an error is that of every evaluation.
-    tie: Result<Tie<D>, Error>,
+/// What is kept of a tie beside what was found.
+pub(crate) struct TieKept<const D: usize> {
     /// Tractions that need no jump, by row; none at first.
-    multipliers: Vec<Vector<D>>,
+    pub(crate) multipliers: Vec<Vector<D>>,
     /// That of the tie, also after it was found anew.
     jump: Vector<D>,
     /// −1 where a host's first part is that of the second body.
     sign: f64,
 }
 
-impl<const D: usize> Held<D> {
-    fn find(&mut self, mesh: &Mesh<D>, weighting: Weighting) {
-        (self.tie, self.multipliers) = (found(mesh, weighting, &self.between), Vec::new());
-        self.bring_jump();
+impl<const D: usize> Default for TieKept<D> {
+    fn default() -> Self {
+        Self { multipliers: Vec::new(), jump: Vector::zeros(), sign: 1.0 }
     }
+}
 
+impl<const D: usize> Held<Tie<D>, TieKept<D>> {
     fn bring_jump(&mut self) {
-        if let Ok(tie) = &mut self.tie {
-            tie.jump = self.jump;
+        if let Ok(tie) = &mut self.found {
+            tie.jump = self.kept.jump;
         }
     }
 }
 
+impl<const D: usize> Found<D> for Tie<D> {
+    const FINDER: Finder<Self, D> = Self::new;
+    type Kept = TieKept<D>;
+    type There<'a> = TieAt<'a, D>;
+
+    fn facets(&self) -> &HeldFacets {
+        &self.facets
+    }
+
+    fn there(&self, kept: &TieKept<D>, (contact, points): At<D>) -> Result<TieAt<'_, D>, Error> {
+        Ok(self.at(points, contact.stiffness_of_tie(self.bodies.map(Partner::Body)), &kept.multipliers))
+    }
+
+    fn pair_energy(&self, at: &TieAt<'_, D>) -> PairEnergy<D> {
+        let rows = self.rows.iter().zip(&at.tractions);
+        let pressed = rows.map(|(row, traction)| row.measure * traction.norm()).sum::<f64>();
+        PairEnergy::of_interface(
+            self.bodies,
+            (at.energy, at.gradient()),
+            (&self.nodes, &self.of_b),
+            (self.area, pressed / self.area),
+            self.left_out.iter().map(|left_out| left_out.warning(self.bodies, self.area)).collect(),
+        )
+    }
+
+    fn blocks(at: &TieAt<'_, D>, part: TangentPart) -> Vec<Block<D>> {
+        at.curvature(part.into())
+    }
+}
+
+impl From<TangentPart> for Curvature {
+    fn from(part: TangentPart) -> Self {
+        if part == TangentPart::Semidefinite { Self::Semidefinite } else { Self::All }
+    }
+}
+
 /// Multipliers by tie, and row.
-pub(crate) type TieMultipliers<const D: usize> = BTreeMap<TieKey, Vec<Vector<D>>>;
+pub(crate) type TieMultipliers<const D: usize> = BTreeMap<Key, Vec<Vector<D>>>;
 
 /// What ties ask of their multipliers.
 #[derive(Clone, Debug, Default)]
@@ -96,32 +124,6 @@ impl TieChange {
 }
 
 impl<const D: usize> Ties<D> {
-    pub(crate) fn is_empty(&self) -> bool {
-        self.held.is_empty()
-    }
-
-    /// Ties two bodies as the options of their pair say, or releases them with `None`.
-    ///
-    /// # Errors
-    /// Those of [`Tie::new`]; the ties then stay as they are.
-    pub(crate) fn set(
-        &mut self,
-        bodies: [usize; 2],
-        between: Option<Between>,
-        mesh: &Mesh<D>,
-        weighting: Weighting,
-    ) -> Result<(), Error> {
-        let key = (bodies, 0);
-        let Some(between) = between else {
-            self.held.remove(&key);
-            return Ok(());
-        };
-        if self.held.get(&key).is_some_and(|held| held.between == between && held.tie.is_ok()) {
-            return Ok(());
-        }
-        self.hold(key, between, mesh, weighting)
-    }
-
     /// Adds a tie beside those of the options of pairs; returns its number, from 1.
     ///
     /// # Errors
@@ -134,22 +136,14 @@ impl<const D: usize> Ties<D> {
         sign: f64,
     ) -> Result<usize, Error> {
         let number = self.added + 1;
-        let key = (between.bodies, number);
-        self.hold(key, between, mesh, weighting)?;
-        self.held.entry(key).and_modify(|held| held.sign = sign);
+        let kept = TieKept { sign, ..TieKept::default() };
+        self.hold((between.bodies, number), between, kept, (mesh, weighting))?;
         self.added = number;
         Ok(number)
     }
 
-    fn hold(&mut self, key: TieKey, between: Between, mesh: &Mesh<D>, weighting: Weighting) -> Result<(), Error> {
-        let tie = found(mesh, weighting, &between)?;
-        self.held
-            .insert(key, Held { between, tie: Ok(tie), multipliers: Vec::new(), jump: Vector::zeros(), sign: 1.0 });
-        Ok(())
-    }
-
     /// The place of a tie that was added and not removed.
-    fn added(&self, number: usize) -> Result<TieKey, Error> {
+    fn added(&self, number: usize) -> Result<Key, Error> {
         let found = self.held.keys().find(|(_, added)| *added == number && number > 0);
         found.copied().ok_or(Error::NoSuchNumber { array: "ties", entry: 0, number: [number, self.added] })
     }
@@ -165,7 +159,7 @@ impl<const D: usize> Ties<D> {
     pub(crate) fn set_jump(&mut self, number: usize, jump: Vector<D>) -> Result<(), Error> {
         let key = self.added(number)?;
         if let Some(held) = self.held.get_mut(&key) {
-            held.jump = jump * held.sign;
+            held.kept.jump = jump * held.kept.sign;
             held.bring_jump();
         }
         Ok(())
@@ -173,8 +167,8 @@ impl<const D: usize> Ties<D> {
 
     /// A tie that was added, with its multipliers, and the sign of its jump and force as a host has them.
     pub(crate) fn of_number(&self, number: usize) -> Result<(&Tie<D>, &[Vector<D>], f64), Error> {
-        let held = &self.held[&self.added(number)?];
-        held.tie.as_ref().map(|tie| (tie, &held.multipliers[..], held.sign)).map_err(Error::clone)
+        let (tie, kept) = self.held[&self.added(number)?].get()?;
+        Ok((tie, &kept.multipliers, kept.sign))
     }
 
     /// Whether two bodies have a tie that was added, and whose faces lie on one another.
@@ -189,65 +183,16 @@ impl<const D: usize> Ties<D> {
 
     /// Finds them anew, on another mesh without deformation.
     pub(crate) fn find_again(&mut self, mesh: &Mesh<D>, weighting: Weighting) {
-        self.held.values_mut().for_each(|held| held.find(mesh, weighting));
-    }
-
-    /// All of them, with their multipliers.
-    ///
-    /// # Errors
-    /// Of a tie that is no longer there, since the mesh without deformation has changed.
-    pub(crate) fn all(&self) -> impl Iterator<Item = Result<(&Tie<D>, &[Vector<D>]), Error>> {
-        self.keyed().map(|(_, held)| held)
-    }
-
-    /// Those of the options of pairs alone.
-    pub(crate) fn of_pairs(&self) -> impl Iterator<Item = Result<(&Tie<D>, &[Vector<D>]), Error>> {
-        self.keyed().filter(|((_, added), _)| *added == 0).map(|(_, held)| held)
-    }
-
-    fn keyed(&self) -> impl Iterator<Item = (TieKey, Result<(&Tie<D>, &[Vector<D>]), Error>)> {
-        self.held.iter().map(|(key, held)| match &held.tie {
-            Ok(tie) => (*key, Ok((tie, &held.multipliers[..]))),
-            Err(error) => (*key, Err(error.clone())),
-        })
+        for held in self.held.values_mut() {
+            (held.found, held.kept.multipliers) = (Tie::find((mesh, weighting), &held.between), Vec::new());
+            held.bring_jump();
+        }
     }
 
     /// Whether bodies are tied to any other.
     pub(crate) fn tied_bodies(&self, body_count: usize) -> Vec<bool> {
         let holds = |body, bodies: &[usize; 2]| bodies.contains(&body) && bodies[0] != bodies[1];
         (0..body_count).map(|body| self.held.keys().any(|(bodies, _)| holds(body, bodies))).collect()
-    }
-
-    /// Facets that are tied of pairs of which parts alone are to be, by their options.
-    pub(crate) fn facets(&self) -> impl Iterator<Item = ([usize; 2], &HeldFacets)> {
-        let of_pairs = self.held.iter().filter(|((_, added), _)| *added == 0).map(|(_, held)| held);
-        let in_part = of_pairs.filter(|held| held.between.facets.is_some());
-        in_part.filter_map(|held| held.tie.as_ref().ok().map(|tie| (held.between.bodies, &tie.facets)))
-    }
-
-    /// The tie of two bodies by the options of their pair.
-    pub(crate) fn of(&self, bodies: [usize; 2]) -> Option<Result<&Tie<D>, Error>> {
-        self.held.get(&(bodies, 0)).map(|held| held.tie.as_ref().map_err(Error::clone))
-    }
-
-    /// Their energies and tangents at the points of the mesh, as far as they are asked for; by pair.
-    pub(crate) fn measured(
-        &self,
-        points: &[[f64; D]],
-        stiffness: impl Fn([Partner; 2]) -> f64,
-        (energy, part): (bool, Option<TangentPart>),
-    ) -> Result<Vec<Answer<D>>, Error> {
-        let one = |found: Result<(&Tie<D>, &[Vector<D>]), Error>| {
-            let (tie, multipliers) = found?;
-            let at = tie.at(points, stiffness(tie.bodies.map(Partner::Body)), multipliers);
-            let energy = energy.then(|| pair_energy(tie, &at));
-            let tangent = part.map(|part| {
-                let which = if part == TangentPart::Semidefinite { Curvature::Semidefinite } else { Curvature::All };
-                Tangent { blocks: at.curvature(which), rank_one: Vec::new() }
-            });
-            Ok(Answer { energy, tangent, nodal_sums: None, points: Vec::new() })
-        };
-        self.all().map(one).collect()
     }
 
     /// What an update would change at these points, and the multipliers after it: the tractions there are. With the stiffness of a pair comes
@@ -258,53 +203,37 @@ impl<const D: usize> Ties<D> {
         stiffness: impl Fn([Partner; 2]) -> (f64, bool),
     ) -> Result<(TieChange, TieMultipliers<D>), Error> {
         let (mut found, mut next) = (TieChange::default(), TieMultipliers::new());
-        for (key, held) in self.keyed() {
-            let (tie, multipliers) = held?;
+        for (key, held) in &self.held {
+            let (tie, kept) = held.get()?;
             let (stiffness, is_given) = stiffness(tie.bodies.map(Partner::Body));
-            let at = tie.at(points, stiffness, multipliers);
+            let at = tie.at(points, stiffness, &kept.multipliers);
             let rows = tie.rows.iter().zip(at.jumps.iter().zip(&at.tractions));
             found.add(
                 (stiffness, is_given),
                 rows.map(|(row, (jump, traction))| [row.measure, jump.norm(), traction.norm()]),
             );
-            next.insert(key, at.tractions);
+            next.insert(*key, at.tractions);
         }
         Ok((found, next))
     }
 
     pub(crate) fn have_multipliers(&self) -> bool {
-        self.held.values().any(|held| !held.multipliers.is_empty())
+        self.held.values().any(|held| !held.kept.multipliers.is_empty())
     }
 
     /// The multipliers of all, to be put back by [`Self::put_back`].
     pub(crate) fn multipliers(&self) -> TieMultipliers<D> {
-        self.held.iter().map(|(key, held)| (*key, held.multipliers.clone())).collect()
+        self.held.iter().map(|(key, held)| (*key, held.kept.multipliers.clone())).collect()
     }
 
     /// Leaves a part of them.
     pub(crate) fn scale_multipliers(&mut self, part: f64) {
-        self.held.values_mut().flat_map(|held| &mut held.multipliers).for_each(|traction| *traction *= part);
+        self.held.values_mut().flat_map(|held| &mut held.kept.multipliers).for_each(|traction| *traction *= part);
     }
 
     pub(crate) fn put_back(&mut self, mut multipliers: TieMultipliers<D>) {
         for (key, held) in &mut self.held {
-            held.multipliers = multipliers.remove(key).unwrap_or_default();
+            held.kept.multipliers = multipliers.remove(key).unwrap_or_default();
         }
     }
-}
-
-fn found<const D: usize>(mesh: &Mesh<D>, weighting: Weighting, between: &Between) -> Result<Tie<D>, Error> {
-    let points = mesh.placed(mesh.surface.reference().into());
-    Tie::new(&mesh.surface, &points, weighting, between)
-}
-
-fn pair_energy<const D: usize>(tie: &Tie<D>, at: &TieAt<'_, D>) -> PairEnergy<D> {
-    let pressed = tie.rows.iter().zip(&at.tractions).map(|(row, traction)| row.measure * traction.norm()).sum::<f64>();
-    PairEnergy::of_interface(
-        tie.bodies,
-        (at.energy, at.gradient()),
-        (&tie.nodes, &tie.of_b),
-        (tie.area, pressed / tie.area),
-        tie.left_out.iter().map(|left_out| left_out.warning(tie.bodies, tie.area)).collect(),
-    )
 }
