@@ -1,15 +1,13 @@
 //! Options of a pair whose friction is not the same in all directions.
 
-use super::pair_options::fmc_pair_options;
+use super::pair_options::{fmc_pair_options, set_options, tell_options};
 use crate::capi::boundary::entry::entry;
 use crate::capi::boundary::failure::Failure;
 use crate::capi::boundary::given_struct::check_struct;
 use crate::capi::boundary::pointer::{Output, reference};
 use crate::capi::boundary::status::fmc_status;
 use crate::capi::boundary::status::fmc_status::FMC_ERROR_BAD_VALUE;
-use crate::capi::context::session::in_either;
-use crate::capi::context::state::{fmc_context, read, write};
-use crate::capi::structs::partner::partner;
+use crate::capi::context::state::fmc_context;
 use crate::contact::{OrthotropicFriction, PairOptions};
 
 /// Friction of a pair that has its coefficient along a direction only, as a surface with machining marks, a grain or fibres.
@@ -108,18 +106,14 @@ pub unsafe extern "C" fn fmc_context_set_orthotropic_pair(
     options: *const fmc_pair_options,
     friction: *const fmc_orthotropic_friction,
 ) -> fmc_status {
-    entry(|| {
-        // SAFETY: the host passes a context, options, and friction.
-        unsafe {
-            write(context, |state| {
-                let partners = [partner(a_kind, a)?, partner(b_kind, b)?];
-                let options = reference("options", options)?.to_pair_options()?;
-                let orthotropic = Some(reference("friction", friction)?.to_orthotropic()?);
-                let options = Some(PairOptions { orthotropic, ..options });
-                in_either!(&mut state.session, one => one.set_pair_options(partners, options))
-            })
-        }
-    })
+    // SAFETY: the host passes a context, options, and friction.
+    unsafe {
+        set_options(context, [(a_kind, a), (b_kind, b)], || {
+            let options = reference("options", options)?.to_pair_options()?;
+            let orthotropic = Some(reference("friction", friction)?.to_orthotropic()?);
+            Ok(Some(PairOptions { orthotropic, ..options }))
+        })
+    }
 }
 
 /// The coefficient of friction of a pair across a direction, as `fmc_context_set_orthotropic_pair` has set it, with `direction_of` in the order
@@ -137,15 +131,10 @@ pub unsafe extern "C" fn fmc_context_orthotropic_pair(
     b: usize,
     friction: *mut fmc_orthotropic_friction,
 ) -> fmc_status {
-    entry(|| {
-        let output = Output::required("friction", friction)?;
-        let partners = [partner(a_kind, a)?, partner(b_kind, b)?];
-        // SAFETY: the host passes a context.
-        let found = in_either!(&unsafe { read(context) }?.session, one => one.pair_options(partners))?;
-        // SAFETY: the host passes an output that may be written.
-        unsafe { output.write(found.orthotropic.into()) };
-        Ok(())
-    })
+    // SAFETY: the host passes a context, and an output that may be written.
+    unsafe {
+        tell_options(context, [(a_kind, a), (b_kind, b)], ("friction", friction), |found| found.orthotropic.into())
+    }
 }
 
 #[cfg(test)]

@@ -1,12 +1,15 @@
 //! Options of single pairs.
 
 use crate::capi::boundary::entry::entry;
+use crate::capi::boundary::failure::Failure;
 use crate::capi::boundary::pointer::{Output, optional};
 use crate::capi::boundary::status::fmc_status;
 use crate::capi::calls::options::pair_interface::{fmc_interface, fmc_softening};
 use crate::capi::context::session::in_either;
 use crate::capi::context::state::{fmc_context, read, write};
 use crate::capi::structs::partner::partner;
+use crate::contact::PairOptions;
+use crate::overlap::Partner;
 
 /// Value of `law` in `fmc_pair_options`: the pair follows the law of the context's options, with its stiffness, also
 /// after they change.
@@ -150,16 +153,13 @@ pub unsafe extern "C" fn fmc_context_set_pair_options(
     b: usize,
     options: *const fmc_pair_options,
 ) -> fmc_status {
-    entry(|| {
-        // SAFETY: the host passes a context, and options or NULL.
-        unsafe {
-            write(context, |state| {
-                let partners = [partner(a_kind, a)?, partner(b_kind, b)?];
-                let options = optional("options", options)?.map(|options| options.to_pair_options()).transpose()?;
-                in_either!(&mut state.session, one => one.set_pair_options(partners, options))
-            })
-        }
-    })
+    let pair = [(a_kind, a), (b_kind, b)];
+    // SAFETY: the host passes a context, and options or NULL.
+    unsafe {
+        set_options(context, pair, || {
+            optional("options", options)?.map(|options| options.to_pair_options()).transpose()
+        })
+    }
 }
 
 /// The options of a pair, named as in `fmc_context_set_pair_options`. Of a pair without options of its own, those that
@@ -178,13 +178,50 @@ pub unsafe extern "C" fn fmc_context_pair_options(
     b: usize,
     options: *mut fmc_pair_options,
 ) -> fmc_status {
+    // SAFETY: the host passes a context, and an output that may be written.
+    unsafe { tell_options(context, [(a_kind, a), (b_kind, b)], ("options", options), |found| found.into()) }
+}
+
+/// Sets the options of a pair, each partner by kind and number.
+///
+/// # Safety
+/// As for every call: a context of this library, or NULL.
+pub(super) unsafe fn set_options(
+    context: *mut fmc_context,
+    pair: [(i32, usize); 2],
+    options: impl FnOnce() -> Result<Option<PairOptions>, Failure>,
+) -> fmc_status {
     entry(|| {
-        let output = Output::required("options", options)?;
-        let partners = [partner(a_kind, a)?, partner(b_kind, b)?];
+        // SAFETY: the host passes a context.
+        unsafe {
+            write(context, |state| {
+                let (partners, options) = (named(pair)?, options()?);
+                in_either!(&mut state.session, one => one.set_pair_options(partners, options))
+            })
+        }
+    })
+}
+
+/// Writes what is `told` of the options of a pair into an output of this name.
+///
+/// # Safety
+/// As for [`set_options`]; the output may be written, or is NULL.
+pub(super) unsafe fn tell_options<T>(
+    context: *const fmc_context,
+    pair: [(i32, usize); 2],
+    (name, output): (&'static str, *mut T),
+    told: impl FnOnce(PairOptions) -> T,
+) -> fmc_status {
+    entry(|| {
+        let (output, partners) = (Output::required(name, output)?, named(pair)?);
         // SAFETY: the host passes a context.
         let found = in_either!(&unsafe { read(context) }?.session, one => one.pair_options(partners))?;
         // SAFETY: the host passes an output that may be written.
-        unsafe { output.write(found.into()) };
+        unsafe { output.write(told(found)) };
         Ok(())
     })
+}
+
+fn named([a, b]: [(i32, usize); 2]) -> Result<[Partner; 2], Failure> {
+    Ok([partner(a.0, a.1)?, partner(b.0, b.1)?])
 }
