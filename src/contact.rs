@@ -21,7 +21,7 @@ mod tangents;
 mod ties;
 mod work;
 
-pub use crate::interfaces::{Cohesive, PointDamage, PointHistory, Softening};
+pub use crate::interfaces::{Cohesive, PointDamage, PointHistory, Ppr, Softening};
 pub use changes::Adjustment;
 pub use cohesive::{CohesivePoint, CohesiveSummary};
 pub use derivatives::{GradientRequest, Gradients, PairGradient};

@@ -3,7 +3,7 @@
 //! `between` (which facets) · `common_pieces` (of facets that face one another) · `visible` (with `near_facets`) (what hides them) · `facing_points` (quadrature on these) · `place` (a place of a facet, by the points that
 //! move it) · `opposite` (points of a piece, and what lies opposite) · `covered` (what of facets pieces cover) · `frame` (how the normal of a
 //! facet turns) · `hold` (by which side) · `tie` (the rows of a tie) · `tie_energy` (its energy, forces and tangent) · `cohesive_law` (how an
-//! interface breaks) · `point_state` (what its points carry on) · `broken_friction` (where it is broken) · `cohesion` (its points) · `cohesive_energy` (as of a tie) · `glide` (surfaces that slide and do not separate) ·
+//! interface breaks) · `ppr_law` (another way) · `point_state` (what its points carry on) · `broken_friction` (where it is broken) · `cohesion` (its points) · `cohesive_energy` (as of a tie) · `glide` (surfaces that slide and do not separate) ·
 //! `glide_energy` (as of a tie)
 
 mod between;
@@ -22,6 +22,7 @@ mod near_facets;
 mod opposite;
 mod place;
 mod point_state;
+mod ppr_law;
 mod tie;
 mod tie_energy;
 mod visible;
@@ -37,5 +38,6 @@ pub(crate) use glide::Glide;
 pub(crate) use glide_energy::GlideAt;
 pub(crate) use point_state::PointState;
 pub use point_state::{PointDamage, PointHistory};
+pub use ppr_law::Ppr;
 pub(crate) use tie::Tie;
 pub(crate) use tie_energy::{Curvature, TieAt};

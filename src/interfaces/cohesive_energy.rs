@@ -253,6 +253,7 @@ impl<const D: usize> Square<D> {
         let sliding: Vec<Vector<D>> = (0..count).map(|k| apart * weights[k] - along[k] * at.along).collect();
         let of_all = |k: usize| along[k] * (full[0] * at.opening.max(0.0)) + sliding[k] * full[1];
         let growth = response.growth.filter(|_| which != Softened::Secant);
+        let coupled = response.coupled.filter(|_| which != Softened::Secant);
         let (energy, damage): (Vec<Vector<D>>, Vec<Vector<D>>) = match growth {
             Some([by_all, by_sliding]) => {
                 (0..count).map(|k| (of_all(k), of_all(k) * by_all + sliding[k] * (full[1] * by_sliding))).unzip()
@@ -286,6 +287,16 @@ impl<const D: usize> Square<D> {
                         } else {
                             let crossed = weights[r] * slopes[c][i][j] + weights[c] * slopes[r][j][i];
                             entry += turning * crossed - shear * normals;
+                        }
+                        if let Some([nn, nt, tn, tt]) = coupled {
+                            let of = |r: usize, c: usize, i: usize, j: usize| {
+                                along[r][i] * (nn * along[c][j] + nt * sliding[c][j])
+                                    + sliding[r][i] * (tn * along[c][j] + tt * sliding[c][j])
+                            };
+                            entry += match which {
+                                Softened::All => of(r, c, i, j),
+                                _ => 0.5 * (of(r, c, i, j) + of(c, r, j, i)),
+                            };
                         }
                         if growth.is_some() {
                             entry -= match which {

@@ -9,12 +9,13 @@
 //! t = (1 − d) (k_n ⟨δ_n⟩ n + k_t δ_t) − k_n ⟨−δ_n⟩ n
 //! ```
 //!
-//! In one mode this is a straight rise to the strength at q = 1, and a straight or exponential fall that encloses G with the opening; q = m is
+//! (or as `ppr_law` has it). In one mode this is a straight rise to the strength at q = 1, and a straight or exponential fall that encloses G with the opening; q = m is
 //! where a straight fall ends. The stiffness of sliding is k_t = k_n (G_n/G_t) (σ_t/σ_n)², by which m is the same in all modes: damage
 //! then never falls as the mode changes, and each path dissipates (Turon, Camanho, Costa, Renart 2010).
 
 use super::broken_friction::BrokenFriction;
 use super::point_state::{PointDamage, PointState};
+use super::ppr_law::{Ppr, PprLaw};
 use crate::Error;
 
 /// What m is by default: damage begins at a hundredth of the opening at which the interface is broken.
@@ -53,13 +54,17 @@ pub struct Cohesive {
 }
 
 /// How the traction of a cohesive interface falls as it opens.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Softening {
     /// Along a straight line.
     #[default]
     Linear,
     /// Exponentially: it never quite ends.
     Exponential,
+    /// By the potential of Park, Paulino and Roesler, which says how it rises, too, and mixes both modes: it has neither an `exponent` nor a
+    /// `stiffness` beside it, nor a `viscosity`. Every opening damages, and [`PointDamage::damage`] is the largest opening or sliding by that
+    /// at which the traction ends.
+    Ppr(Ppr),
 }
 
 impl Cohesive {
@@ -108,6 +113,9 @@ impl Cohesive {
         if !(self.exponent.is_finite() && self.exponent >= 1.0) {
             return Err(Error::NotPositive { name: "mixed_mode_exponent", value: self.exponent });
         }
+        if let Softening::Ppr(ppr) = self.softening {
+            return ppr.check(self).and_then(|()| CohesiveLaw::new(self).check());
+        }
         if self.brittleness() <= 1.0 {
             let what = "a stiffness of a cohesive interface that is not above strength² / (2 energy): it would break before it yields";
             return Err(Error::Unsupported { what });
@@ -116,12 +124,7 @@ impl Cohesive {
             let what = "a stiffness of a cohesive interface above 5e9 strength² / energy, 1e8 times the default: damage would be 1 but for rounding";
             return Err(Error::Unsupported { what });
         }
-        let law = CohesiveLaw::new(self);
-        match law.stiffness.into_iter().chain(law.onset).chain([law.brittleness]).find(|x| !(x.is_finite() && *x > 0.0))
-        {
-            Some(value) => Err(Error::Overflow { quantity: "stiffness of a cohesive interface", value }),
-            None => Ok(()),
-        }
+        CohesiveLaw::new(self).check()
     }
 }
 
@@ -135,6 +138,7 @@ pub(crate) struct CohesiveLaw {
     brittleness: f64,
     exponent: f64,
     softening: Softening,
+    ppr: Option<PprLaw>,
     /// The part of the way to the damage of the law that damage goes in the step: 1 without viscosity.
     part: f64,
     pub(crate) is_viscous: bool,
@@ -154,6 +158,9 @@ pub(super) struct Response {
     pub(super) shear_stiffness: f64,
     /// How the damage grows: by dY, and by the part of it that is sliding's.
     pub(super) growth: Option<[f64; 2]>,
+    /// What else the derivative of the tractions has, as the law ppr has it: ∂t_n/∂δ_n less the stiffness at this damage, ∂t_n/∂|δ_t| by |δ_t|, and of
+    /// the traction by sliding ∂/∂δ_n and ∂/∂|δ_t| by |δ_t|.
+    pub(super) coupled: Option<[f64; 4]>,
 }
 
 impl CohesiveLaw {
@@ -162,10 +169,25 @@ impl CohesiveLaw {
         let brittleness = options.brittleness();
         let onset = [options.normal_energy / brittleness, options.shear_energy / brittleness];
         let strengths = [options.normal_strength, options.shear_strength];
-        let stiffness = [0, 1].map(|k| strengths[k] * strengths[k] / (2.0 * onset[k]));
+        let ppr = match options.softening {
+            Softening::Ppr(ppr) => Some(PprLaw::new(&ppr, strengths, [options.normal_energy, options.shear_energy])),
+            _ => None,
+        };
+        let bilinear = [0, 1].map(|k| strengths[k] * strengths[k] / (2.0 * onset[k]));
+        let stiffness = ppr.map_or(bilinear, |law| law.stiffness());
         let Cohesive { exponent, softening, viscosity, .. } = *options;
         let (part, is_viscous) = (1.0, viscosity > 0.0);
-        Self { stiffness, onset, brittleness, exponent, softening, part, is_viscous, friction: None }
+        Self { stiffness, onset, brittleness, exponent, softening, ppr, part, is_viscous, friction: None }
+    }
+
+    /// Refuses numbers that overflow.
+    fn check(&self) -> Result<(), Error> {
+        let ends = self.ppr.map_or([1.0; 2], |law| law.ends());
+        let all = self.stiffness.into_iter().chain(self.onset).chain([self.brittleness]).chain(ends);
+        match all.into_iter().find(|x| !(x.is_finite() && *x > 0.0)) {
+            Some(value) => Err(Error::Overflow { quantity: "stiffness of a cohesive interface", value }),
+            None => Ok(()),
+        }
     }
 
     /// With this viscosity in a step that takes so long; backward in time, so that no step is too long.
@@ -199,14 +221,21 @@ impl CohesiveLaw {
         self.stiffness[0].max(self.stiffness[1])
     }
 
-    /// The largest tractions in pure opening and in pure sliding that are left after a damage.
-    pub(crate) fn strengths_left(&self, damage: f64) -> [f64; 2] {
+    /// The largest tractions in pure opening and in pure sliding that are left after what a point has been through.
+    pub(crate) fn strengths_left(&self, past: &PointState) -> [f64; 2] {
+        if let Some(law) = &self.ppr {
+            return law.strengths_left(past);
+        }
+        let damage = past.damage.damage;
         let part = if damage < 1.0 { (1.0 - damage) * self.reached(damage) } else { 0.0 };
         [0, 1].map(|k| part * (2.0 * self.stiffness[k] * self.onset[k]).sqrt())
     }
 
     /// At an opening and a squared sliding, after what a point has been through.
     pub(super) fn response(&self, past: &PointState, opening: f64, sliding2: f64) -> Response {
+        if let Some(law) = &self.ppr {
+            return law.response(past, opening, sliding2);
+        }
         let [kn, kt] = self.stiffness;
         let opened = opening.max(0.0);
         let of_sliding = 0.5 * kt * sliding2;
@@ -248,6 +277,7 @@ impl CohesiveLaw {
             shear_stiffness: left * kt,
             now,
             growth,
+            coupled: None,
         }
     }
 
@@ -263,7 +293,7 @@ impl CohesiveLaw {
             _ if q <= 1.0 => 0.0,
             Softening::Linear if q >= m => 1.0,
             Softening::Linear => m * (q - 1.0) / (q * (m - 1.0)),
-            Softening::Exponential => 1.0 - (-(q - 1.0) / self.decay()).exp() / q,
+            _ => 1.0 - (-(q - 1.0) / self.decay()).exp() / q,
         }
     }
 
@@ -273,7 +303,7 @@ impl CohesiveLaw {
         match self.softening {
             Softening::Linear if q >= m => 0.0,
             Softening::Linear => m / ((m - 1.0) * q * q),
-            Softening::Exponential => (-(q - 1.0) / self.decay()).exp() * (1.0 / q + 1.0 / self.decay()) / q,
+            _ => (-(q - 1.0) / self.decay()).exp() * (1.0 / q + 1.0 / self.decay()) / q,
         }
     }
 
@@ -282,8 +312,8 @@ impl CohesiveLaw {
         let (m, u) = (self.brittleness, q - 1.0);
         match self.softening {
             Softening::Linear => m / (m - 1.0) * (q.min(m) - 1.0),
-            Softening::Exponential if u > 700.0 * self.decay() => m,
-            Softening::Exponential => {
+            _ if u > 700.0 * self.decay() => m,
+            _ => {
                 let left = (-u / self.decay()).exp();
                 m * (1.0 - left) - u * left
             }
@@ -306,7 +336,7 @@ impl CohesiveLaw {
         match self.softening {
             _ if damage <= 0.0 => 1.0,
             Softening::Linear => m / (m - damage * (m - 1.0)),
-            Softening::Exponential => {
+            _ => {
                 // ln q + (q − 1)/a = −ln(1 − d), whose left is concave: Newton's method comes from below.
                 let (target, decay) = (-(-damage).ln_1p(), self.decay());
                 let mut q = 1.0f64;

@@ -11,8 +11,8 @@ pub struct PointDamage {
     pub dissipated: f64,
 }
 
-/// What else a point of a cohesive interface has been through: friction of its broken part, and the viscosity of its damage. All zero
-/// without either.
+/// What else a point of a cohesive interface has been through: friction of its broken part, the viscosity of its damage, and what the law
+/// ppr has beside damage. All zero without these.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct PointHistory {
     /// How far the broken part has slid without elastic slip, in multiples of the edges of the facet of the second body that leave its first
@@ -23,6 +23,8 @@ pub struct PointHistory {
     /// Energy by area that the viscosity has dissipated.
     pub viscous: f64,
     /// Where the point was when the step began, √(Y/Y₀): more than its damage says while viscosity holds damage back; else 0.
+    /// By the law [`Ppr`](super::Ppr) the smaller of the largest opening and sliding, each by that at which its traction ends; plus 2 where it
+    /// is the opening.
     pub reached: f64,
 }
 

@@ -45,6 +45,7 @@ pub(crate) const SECTIONS: [Section; 20] = [
             "calls/options/pair_interface",
             "calls/options/pair_options",
             "calls/options/orthotropic_pair",
+            "calls/options/ppr_pair",
         ],
     ),
     (

@@ -41,7 +41,7 @@ fn left(mode: &Mode, softening: Softening, way: f64) -> f64 {
         _ if way <= d0 => 1.0,
         Softening::Linear => (d0 / way * (d1 - way) / (d1 - d0)).max(0.0),
         // An exponential with the same area: d0/2 + (the rest).
-        Softening::Exponential => d0 / way * (-(way - d0) / (0.5 * (d1 - d0))).exp(),
+        Softening::Exponential | Softening::Ppr(_) => d0 / way * (-(way - d0) / (0.5 * (d1 - d0))).exp(),
     }
 }
 

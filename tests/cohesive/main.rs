@@ -11,6 +11,7 @@ mod derivatives;
 mod friction;
 mod history;
 mod messages;
+mod ppr;
 mod thin;
 mod viscosity;
 

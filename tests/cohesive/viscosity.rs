@@ -19,7 +19,7 @@ fn target(opening: f64, softening: Softening) -> f64 {
         _ if q <= 1.0 => 0.0,
         Softening::Linear if q >= m => 1.0,
         Softening::Linear => m * (q - 1.0) / (q * (m - 1.0)),
-        Softening::Exponential => 1.0 - (-2.0 * (q - 1.0) / (m - 1.0)).exp() / q,
+        Softening::Exponential | Softening::Ppr(_) => 1.0 - (-2.0 * (q - 1.0) / (m - 1.0)).exp() / q,
     }
 }
 

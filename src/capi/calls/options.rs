@@ -8,4 +8,5 @@ pub(super) mod orthotropic_pair;
 mod pair_conversion;
 pub(super) mod pair_interface;
 pub(super) mod pair_options;
+pub(super) mod ppr_pair;
 pub(super) mod stiffness;

@@ -48,16 +48,16 @@ impl<const D: usize> Contact<D> {
             return Ok(Vec::new());
         }
         let points = self.mesh.points(coords)?;
-        let (at, before) = (self.cohesions.there((self, &points))?, self.damage()?);
+        let (at, before) = (self.cohesions.there((self, &points))?, self.cohesions.list(&self.history.damage)?);
         let (mut found, mut before) = (Vec::new(), before.iter());
         for ((cohesion, at, _), held) in at.into_iter().zip(self.cohesions.all()) {
             let law = CohesiveLaw::new(&held?.1.0);
             let (mut damaged, mut broken, mut strengths) = (0.0, 0.0, [0.0; 2]);
             for ((point, at), before) in at.points().zip(&mut before) {
                 let (part, now) = (point.measure / cohesion.area, at.now().damage);
-                damaged += if now > before.damage { part } else { 0.0 };
+                damaged += if now > before.damage.damage { part } else { 0.0 };
                 broken += if now >= 1.0 { part } else { 0.0 };
-                let left = law.strengths_left(before.damage);
+                let left = law.strengths_left(before);
                 (0..2).for_each(|k| strengths[k] += point.measure * left[k]);
             }
             if damaged > 0.0 {

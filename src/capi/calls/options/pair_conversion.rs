@@ -205,7 +205,7 @@ mod tests {
             (|o| o.interface_kind = 5, VALUE, "option 'interface_kind' has no value 5"),
             (|o| o.surface_b = 1, conflict, "'surface_a' and 'surface_b' are 0 and 1"),
             (|o| (o.surface_a, o.surface_b) = (1, -1), conflict, "are 1 and -1"),
-            (|o| o.softening = 2, VALUE, "option 'softening' has no value 2"),
+            (|o| o.softening = 3, VALUE, "option 'softening' has no value 3"),
             (
                 |o| o.reach = 0.1,
                 conflict,

@@ -3,7 +3,7 @@
 use crate::capi::boundary::failure::Failure;
 use crate::capi::boundary::status::fmc_status::FMC_ERROR_OPTIONS_CONFLICT;
 use crate::capi::structs::choice::Choice;
-use crate::contact::{Cohesive, Interface, Softening};
+use crate::contact::{Cohesive, Interface, Ppr, Softening};
 
 /// What happens between two bodies.
 #[repr(C)]
@@ -33,6 +33,9 @@ pub enum fmc_softening {
     FMC_SOFTENING_LINEAR = 0,
     /// Exponentially: it never quite ends. Key value "exponential".
     FMC_SOFTENING_EXPONENTIAL = 1,
+    /// By the potential of Park, Paulino and Roesler, which says how it rises, too, and mixes opening and sliding: without `stiffness`,
+    /// `mixed_mode_exponent` and `viscosity`. `fmc_context_set_ppr_pair` sets other shapes than the default ones. Key value "ppr".
+    FMC_SOFTENING_PPR = 2,
 }
 
 const SOFTENING: Choice = Choice {
@@ -40,6 +43,7 @@ const SOFTENING: Choice = Choice {
     values: &[
         (fmc_softening::FMC_SOFTENING_LINEAR as i32, "linear"),
         (fmc_softening::FMC_SOFTENING_EXPONENTIAL as i32, "exponential"),
+        (fmc_softening::FMC_SOFTENING_PPR as i32, "ppr"),
     ],
 };
 
@@ -102,6 +106,7 @@ impl From<Interface> for InterfaceFields {
                 softening: match own.softening {
                     Softening::Linear => fmc_softening::FMC_SOFTENING_LINEAR as i32,
                     Softening::Exponential => fmc_softening::FMC_SOFTENING_EXPONENTIAL as i32,
+                    Softening::Ppr(_) => fmc_softening::FMC_SOFTENING_PPR as i32,
                 },
                 reach: own.reach,
                 normal_strength: own.normal_strength,
@@ -129,7 +134,11 @@ impl InterfaceFields {
                 shear_energy: or(self.shear_energy, self.normal_energy),
                 exponent: or(self.mixed_mode_exponent, Cohesive::EXPONENT),
                 stiffness: self.stiffness,
-                softening: if softening == "linear" { Softening::Linear } else { Softening::Exponential },
+                softening: match softening {
+                    "linear" => Softening::Linear,
+                    "exponential" => Softening::Exponential,
+                    _ => Softening::Ppr(Ppr::default()),
+                },
                 reach: self.reach,
                 viscosity: self.viscosity,
             }));
