@@ -26,6 +26,9 @@ pub(crate) struct Held<T, K> {
     pub(crate) kept: K,
 }
 
+/// What was found, at some points of the mesh, and its number where it was added.
+pub(crate) type One<'a, T, const D: usize> = (&'a T, <T as Found<D>>::There<'a>, usize);
+
 impl<T, K> Held<T, K> {
     pub(crate) fn get(&self) -> Result<(&T, &K), Error> {
         self.found.as_ref().map(|found| (found, &self.kept)).map_err(Error::clone)
@@ -105,7 +108,7 @@ impl<T: Found<D>, const D: usize> HeldList<T, D> {
     }
 
     /// All of them at points of the mesh, with the number of each that was added.
-    pub(crate) fn there(&self, at: At<D>) -> Result<Vec<(&T, T::There<'_>, usize)>, Error> {
+    pub(crate) fn there(&self, at: At<D>) -> Result<Vec<One<'_, T, D>>, Error> {
         let all = self.held.iter().map(|((_, added), held)| held.get().map(|(found, kept)| (found, kept, *added)));
         all.map(|one| one.and_then(|(found, kept, added)| Ok((found, found.there(kept, at)?, added)))).collect()
     }
