@@ -24,6 +24,7 @@ module fmc_contact
   public
   ! Procedures of the type: their names remain the host's.
   private :: from_cells, from_blocks, from_facets, take, free, set_options, set_pair_options, set_orthotropic_pair, &
+             set_ppr_pair, &
              set_reference, set_interrupt, &
              set_symmetry_planes, set_symmetry_nodes, set_surface_smoothing, set_basis, &
              evaluate, tangent, evaluate_tangent, stable_step, body, &
@@ -39,7 +40,7 @@ module fmc_contact
     integer :: dim = 0
   contains
     procedure :: from_cells, from_blocks, from_facets, free
-    procedure :: set_options, set_pair_options, set_orthotropic_pair
+    procedure :: set_options, set_pair_options, set_orthotropic_pair, set_ppr_pair
     procedure :: set_reference, set_symmetry_planes, set_symmetry_nodes, set_basis
     procedure :: set_surface_smoothing
     procedure :: set_interrupt
@@ -203,6 +204,18 @@ contains
     integer, intent(out), optional :: stat
     call checked(fmc_context_set_orthotropic_pair(self%handle, a_kind, int(a - 1, c_size_t), b_kind, &
                                                   int(b - 1, c_size_t), options, friction), stat)
+  end subroutine
+
+  ! The same with shapes of the cohesive law of FMC_SOFTENING_PPR (fmc_ppr_init).
+  subroutine set_ppr_pair(self, a_kind, a, b_kind, b, options, ppr, stat)
+    class(contact), intent(inout) :: self
+    integer(c_int32_t), intent(in) :: a_kind, b_kind
+    integer, intent(in) :: a, b
+    type(fmc_pair_options), intent(in) :: options
+    type(fmc_ppr), intent(in) :: ppr
+    integer, intent(out), optional :: stat
+    call checked(fmc_context_set_ppr_pair(self%handle, a_kind, int(a - 1, c_size_t), b_kind, &
+                                          int(b - 1, c_size_t), options, ppr), stat)
   end subroutine
 
   ! Coordinates without deformation, from which the law `depth` has its depths (fmc_context_set_reference).

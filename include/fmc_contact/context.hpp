@@ -517,6 +517,10 @@ class Context : public AddsShapes<Context> {
   void set_orthotropic_pair(Partner a, Partner b, const PairOptions &options, const OrthotropicFriction &friction) {
     call(fmc_context_set_orthotropic_pair(get(), a.kind, a.index, b.kind, b.index, &options, &friction));
   }
+  // The same with shapes of the cohesive law of `FMC_SOFTENING_PPR`.
+  void set_ppr_pair(Partner a, Partner b, const PairOptions &options, const Ppr &ppr) {
+    call(fmc_context_set_ppr_pair(get(), a.kind, a.index, b.kind, b.index, &options, &ppr));
+  }
   // The pair follows the options of the context again.
   void clear_pair_options(Partner a, Partner b) {
     call(fmc_context_set_pair_options(get(), a.kind, a.index, b.kind, b.index, nullptr));
@@ -531,6 +535,12 @@ class Context : public AddsShapes<Context> {
     OrthotropicFriction friction;
     check(fmc_context_orthotropic_pair(get(), a.kind, a.index, b.kind, b.index, &friction));
     return friction;
+  }
+  // The default ones where the softening is another.
+  Ppr ppr_pair(Partner a, Partner b) const {
+    Ppr ppr;
+    check(fmc_context_ppr_pair(get(), a.kind, a.index, b.kind, b.index, &ppr));
+    return ppr;
   }
 
   // Adds a rigid obstacle; `add_ball` and the like make a shape and add it. Returned is the index, which an obstacle keeps when

@@ -40,6 +40,11 @@ struct OrthotropicFriction : fmc_orthotropic_friction {
   }
 };
 
+// Shapes and initial slopes of the cohesive law of Park, Paulino and Roesler: the fields of `fmc_ppr`, at first the default ones.
+struct Ppr : fmc_ppr {
+  Ppr() : fmc_ppr() { check(fmc_ppr_init(this)); }
+};
+
 // One side of a pair.
 struct Partner {
   fmc_partner kind;

@@ -433,8 +433,8 @@ static void contexts(void) {
   EXPECT(FMC_ERROR_STRUCT_SIZE, "fmc_pair_options has struct_size 0", BODIES);
   wanted = own, wanted.reserved[2] = 1;
   EXPECT(FMC_ERROR_RESERVED_FIELD, "later version", BODIES);
-  wanted = own, wanted.softening = 2;
-  EXPECT(FMC_ERROR_BAD_VALUE, "option 'softening' has no value 2", BODIES);
+  wanted = own, wanted.softening = 3;
+  EXPECT(FMC_ERROR_BAD_VALUE, "option 'softening' has no value 3", BODIES);
   wanted = own, wanted.softening = FMC_SOFTENING_EXPONENTIAL;
   EXPECT(FMC_ERROR_OPTIONS_CONFLICT, "'softening' of a pair belongs to the interface 'cohesive'", BODIES);
   wanted = own, wanted.normal_strength = 1;

@@ -134,6 +134,20 @@ void forces_and_getters() {
   own.interface_kind = FMC_INTERFACE_ROUGH;
   contact.set_pair_options(a, b, own);
   EXPECT(contact.pair_options(b, a).interface_kind == FMC_INTERFACE_ROUGH && contact.tie(0, 1).area == 0);
+  // Shapes of a cohesive law come back; other softenings have none.
+  own = fmc::PairOptions();
+  own.interface_kind = FMC_INTERFACE_COHESIVE;
+  own.normal_strength = own.normal_energy = 1;
+  own.reach = 0.5;
+  fmc::Ppr ppr;
+  ppr.normal_shape = 5, ppr.shear_slope = 0.2;
+  EXPECT(refused(FMC_ERROR_OPTIONS_CONFLICT, "'ppr'", [&] { contact.set_ppr_pair(a, b, own, ppr); }));
+  own.softening = FMC_SOFTENING_PPR;
+  contact.set_ppr_pair(a, b, own, ppr);
+  EXPECT(contact.ppr_pair(b, a).normal_shape == 5 && contact.ppr_pair(a, b).shear_slope == 0.2);
+  EXPECT(contact.pair_options(a, b).softening == FMC_SOFTENING_PPR && contact.cohesive(0, 1, coords).area > 0);
+  ppr.shear_slope = 1;
+  EXPECT(refused(FMC_ERROR_UNSUPPORTED, "shear_slope", [&] { contact.set_ppr_pair(a, b, own, ppr); }));
   // Another coefficient across a direction is one of space.
   own = fmc::PairOptions();
   own.friction_coefficient = 0.5;

@@ -37,6 +37,38 @@ def test_options_come_back():
     assert contact.pairs.options(0, 1) == options
 
 
+PPR = {"softening": "ppr", "normal_shape": 5.0, "shear_shape": 1.6, "normal_slope": 0.1, "shear_slope": 0.2}
+
+
+def test_shapes_of_the_law_ppr_come_back():
+    contact = glued(**PPR)
+    options = contact.pairs.options(0, 1)
+    assert {key: options[key] for key in PPR} == PPR
+    contact.pairs.set(0, 1, **{key: value for key, value in options.items() if value is not None})
+    assert contact.pairs.options(1, 0) == options
+    contact.pairs.set(0, 1, interface="cohesive", softening="ppr", **LAW)
+    assert [contact.pairs.options(0, 1)[key] for key in PPR] == ["ppr", 2.0, 2.0, 0.05, 0.05]
+    contact.pairs.set(0, 1, interface="cohesive", **LAW)
+    assert [contact.pairs.options(0, 1)[key] for key in PPR] == ["linear"] + 4 * [None]
+
+
+def test_the_law_ppr_opens_by_its_closed_form():
+    contact = glued(**PPR)
+    a, m = 5.0, 5.0 * 4.0 * 0.01 / (1 - 5.0 * 0.01)
+
+    def rise(x):
+        return a * (1 + a / m) * (1 - x) ** (a - 1) * (1 + a * x / m) ** (m - 1) * x
+
+    end = 0.1 / 2.0 * rise(0.1)
+    for x in (0.02, 0.1, 0.5, 1.0, 1.5):
+        expected = 0.1 / end * rise(min(x, 1.0))
+        pull = -contact.evaluate(moved(0.0, x * end)).forces[4:].sum(0) / 2.0
+        assert pull == pytest.approx([0.0, expected], abs=1e-12)
+        assert x != 0.1 or pull[1] == pytest.approx(2.0, rel=1e-13)
+    told = contact.cohesive.interface(0, 1, moved(0.0, 1.5 * end))
+    assert told.dissipated == pytest.approx(0.1 * 2.0, rel=1e-12) and told.stored == 0.0
+
+
 @pytest.mark.parametrize(
     "wrong",
     [
@@ -47,6 +79,12 @@ def test_options_come_back():
         {"law": "depth", "stiffness": 1e4},
         {"gap_offset": -0.1},
         {"softening": "sudden"},
+        {"normal_shape": 3.0},
+        {**PPR, "normal_shape": 1.0},
+        {**PPR, "normal_slope": 0.5},
+        {**PPR, "viscosity": 1.0},
+        {**PPR, "stiffness": 1e4},
+        {**PPR, "transverse_coefficient": 0.1, "direction": (1, 0, 0)},
         {"interface": "tied"},
         {"interface": "contact", "reach": 0.1},
     ],
@@ -119,13 +157,13 @@ def test_messages_name_what_was_given():
     assert not np.signbit([told.damaged_area, told.broken_area]).any()
 
 
-@pytest.mark.parametrize("size", [2, 3])
-def test_every_rank_has_the_bits_of_one(size):
+@pytest.mark.parametrize(("size", "law"), [(2, {}), (3, {}), (4, PPR)])
+def test_every_rank_has_the_bits_of_one(size, law):
     def found(comm=None):
         contact = Contact(COORDS, CONN, "quad", bodies=[0, 1, 1], stiffness=1e3)
         if comm is not None:
             contact.ranks.set_communicator(comm)
-        contact.pairs.set(0, 1, interface="cohesive", **LAW)
+        contact.pairs.set(0, 1, interface="cohesive", **LAW, **law)
         contact.friction.begin_step(COORDS)
         contact.friction.commit_step(moved(0.01, 0.03))
         result, matrix = contact.evaluate_tangent(moved(0.02, 0.04))

@@ -63,6 +63,10 @@ def test_a_stiffness_alone_takes_the_law_with_its_exponent() -> None:
         "transverse_coefficient": None,
         "direction": None,
         "direction_of": "a",
+        "normal_shape": None,
+        "shear_shape": None,
+        "normal_slope": None,
+        "shear_slope": None,
     }
     assert pressures(contact)[0, FLOOR] == pytest.approx(5 * K * 2 * 0.1)
 

@@ -61,7 +61,7 @@ impl Host {
                 (options.normal_energy, options.shear_energy) = (0.1, 0.2);
                 options.viscosity = f64::from(from.excluded % 2);
                 options.mixed_mode_exponent = from.exponent.map_or(2.0, |x| x.0);
-                (options.reach, options.softening) = (0.5, i32::from(from.law % 3));
+                (options.reach, options.softening) = (0.5, i32::from(from.law % 4));
             }
             if from.excluded % 5 == 4 {
                 // Parts that are there if some were named, one alone, and one that is none.
@@ -78,6 +78,9 @@ impl Host {
             }
             if from.law % 4 == 3 {
                 set_orthotropic_pair(context, from, [(a_kind, a), (b_kind, b)], &raw const options);
+            }
+            if from.law % 4 == 2 {
+                set_ppr_pair(context, from, [(a_kind, a), (b_kind, b)], &raw const options);
             }
         }
     }
@@ -120,6 +123,36 @@ unsafe fn set_orthotropic_pair(
         let status = checked(fmc_context_set_orthotropic_pair(context, a_kind, a, b_kind, b, options, given));
         let after = found();
         let is_kept = if status == OK { after == (OK, friction) } else { after == before };
+        assert!(is_kept, "{status:?}: {before:?} {after:?}");
+    }
+}
+
+/// The same options with shapes of a cohesive law, which come back or leave what was there.
+///
+/// # Safety
+/// The context and the options are the host's own.
+unsafe fn set_ppr_pair(
+    context: *mut fmc_context,
+    from: &PairOptions,
+    [(a_kind, a), (b_kind, b)]: [(i32, usize); 2],
+    options: *const fmc_pair_options,
+) {
+    // SAFETY: structs of the header's size; all else the caller vouches for.
+    unsafe {
+        let found = || {
+            let mut found = fmc_ppr::default();
+            let status = checked(fmc_context_ppr_pair(context, a_kind, a, b_kind, b, &raw mut found));
+            assert!(status == OK || found == fmc_ppr::default(), "an error writes outputs");
+            (status, found)
+        };
+        let before = found();
+        let mut ppr = fmc_ppr::default();
+        assert_eq!(fmc_ppr_init(&raw mut ppr), OK);
+        ppr.normal_shape = from.exponent.map_or(2.0, |x| x.0);
+        ppr.shear_slope = from.stiffness.0;
+        let status = checked(fmc_context_set_ppr_pair(context, a_kind, a, b_kind, b, options, &raw const ppr));
+        let after = found();
+        let is_kept = if status == OK { after == (OK, ppr) } else { after == before };
         assert!(is_kept, "{status:?}: {before:?} {after:?}");
     }
 }

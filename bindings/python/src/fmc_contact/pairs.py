@@ -17,7 +17,7 @@ from ._constants import (
 from ._core import Core
 from ._index import index_of, integer
 from ._library import check, library
-from ._structs import fmc_orthotropic_friction, fmc_pair_options, fmc_tie
+from ._structs import fmc_orthotropic_friction, fmc_pair_options, fmc_ppr, fmc_tie
 from .ties import Tie
 
 Partner = Union[int, tuple[str, int]]
@@ -27,6 +27,7 @@ Partner = Union[int, tuple[str, int]]
 _SIDES = ("a", "b")
 _OF_LAW = ("stiffness", "exponent", "smoothing_length")
 _OF_COHESIVE = ("normal_strength", "shear_strength", "normal_energy", "shear_energy", "mixed_mode_exponent", "viscosity")
+_OF_PPR = ("normal_shape", "shear_shape", "normal_slope", "shear_slope")
 
 
 def _named(partner: Partner) -> tuple[int, int]:
@@ -110,6 +111,10 @@ class Pairs:
         transverse_coefficient: Optional[float] = None,
         direction: Optional[Iterable[float]] = None,
         direction_of: str = "a",
+        normal_shape: Optional[float] = None,
+        shear_shape: Optional[float] = None,
+        normal_slope: Optional[float] = None,
+        shear_slope: Optional[float] = None,
     ) -> None:
         """Gives a pair options of its own, in place of those it had.
 
@@ -161,7 +166,8 @@ class Pairs:
         mixed_mode_exponent : float
             Exponent, at least 1, by which the two are mixed (Benzeggagh and Kenane). 0: 2.
         softening : str
-            How the traction falls: ``"linear"`` or ``"exponential"``.
+            How the traction falls: ``"linear"`` or ``"exponential"``. ``"ppr"``: it rises and falls by the potential of Park, Paulino
+            and Roesler, which has no ``stiffness``, ``mixed_mode_exponent`` or ``viscosity`` beside it.
         viscosity : float
             A time by which damage lags behind the law, so that searches pass where a structure snaps. Say how long steps take with
             ``contact.cohesive.set_time_step``.
@@ -177,6 +183,11 @@ class Pairs:
             or in the frame of the obstacle, is projected into every facet, and goes along as the facet deforms and turns.
         direction_of : str
             To which partner the direction belongs: ``"a"`` or ``"b"``.
+        normal_shape, shear_shape : float, optional
+            With ``softening="ppr"``: shapes α and β, above 1. Below 2 the traction falls late, above it early with a long tail. Default: 2.
+        normal_slope, shear_slope : float, optional
+            With ``softening="ppr"``: the opening or sliding at the strength, divided by the one at which the traction ends. Above 0, and
+            at most 1/√(2 shape − 1). Default: 0.05.
 
         Raises
         ------
@@ -234,6 +245,17 @@ class Pairs:
             if value is not None:
                 setattr(own, key, float(value))
         friction = _orthotropic(transverse_coefficient, direction, direction_of)
+        shapes = dict(zip(_OF_PPR, (normal_shape, shear_shape, normal_slope, shear_slope)))
+        shapes = {key: float(value) for key, value in shapes.items() if value is not None}
+        if shapes and friction is not None:
+            raise ValueError(f"{next(iter(shapes))} and transverse_coefficient of one pair: what is broken rubs by one coefficient")
+        if shapes:
+            ppr = fmc_ppr()
+            check(library.fmc_ppr_init(byref(ppr)))
+            for key, value in shapes.items():
+                setattr(ppr, key, value)
+            with self._core.handle:
+                return self._core.handle.call(library.fmc_context_set_ppr_pair, *_named(a), *_named(b), byref(own), byref(ppr))
         if friction is None:
             return self._set(a, b, byref(own))
         with self._core.handle:
@@ -291,6 +313,8 @@ class Pairs:
             self._core.handle.call(library.fmc_context_pair_options, *_named(a), *_named(b), byref(found))
             friction = fmc_orthotropic_friction()
             self._core.handle.call(library.fmc_context_orthotropic_pair, *_named(a), *_named(b), byref(friction))
+            ppr = fmc_ppr()
+            self._core.handle.call(library.fmc_context_ppr_pair, *_named(a), *_named(b), byref(ppr))
         has_law = found.law != FMC_PAIR_LAW_OF_CONTEXT
         has_friction = found.friction_coefficient != FMC_PAIR_FRICTION_OF_CONTEXT
         options: dict[str, Any] = {"excluded": bool(found.excluded), "gap_offset": found.gap_offset}
@@ -298,6 +322,8 @@ class Pairs:
         options.update(static_coefficient=found.static_coefficient, weakening_slip=found.weakening_slip)
         options.update(interface=FMC_INTERFACE[found.interface_kind], reach=found.reach, softening=FMC_SOFTENING[found.softening])
         options.update({key: getattr(found, key) for key in _OF_COHESIVE})
+        is_ppr = options["softening"] == "ppr"
+        options.update({key: getattr(ppr, key) if is_ppr else None for key in _OF_PPR})
         options["surfaces"] = (found.surface_a, found.surface_b) if found.surface_a else None
         options["law"] = FMC_LAW[found.law] if has_law else None
         options.update({key: getattr(found, key) if has_law else None for key in _OF_LAW})
