@@ -932,6 +932,9 @@ typedef enum {
   FMC_SOFTENING_LINEAR = 0,
   // Exponentially: it never quite ends. Key value "exponential".
   FMC_SOFTENING_EXPONENTIAL = 1,
+  // By the potential of Park, Paulino and Roesler, which says how it rises, too, and mixes opening and sliding: without `stiffness`,
+  // `mixed_mode_exponent` and `viscosity`. `fmc_context_set_ppr_pair` sets other shapes than the default ones. Key value "ppr".
+  FMC_SOFTENING_PPR = 2,
 } fmc_softening;
 
 // Options of one pair of partners, in place of the context's. `fmc_pair_options_init` sets all of them to what a pair
@@ -1023,6 +1026,24 @@ typedef struct {
   uint64_t reserved[4];
 } fmc_orthotropic_friction;
 
+// Shapes and initial slopes of the law of Park, Paulino and Roesler (J. Mech. Phys. Solids 57, 2009), of a cohesive interface with
+// `FMC_SOFTENING_PPR`. `fmc_ppr_init` sets all of it.
+typedef struct {
+  // Set by `fmc_ppr_init`, so that a struct that was not initialised is recognised.
+  size_t struct_size;
+  // Shape alpha of softening in opening, above 1: below 2 the traction falls late, about 2 along a line, above it early with a long tail.
+  // Default 2.
+  double normal_shape;
+  // Shape beta of sliding. Default 2.
+  double shear_shape;
+  // The opening at the strength by that at which the traction ends, above 0 and at most 1/sqrt(2 alpha - 1). Default 0.05.
+  double normal_slope;
+  // The same of sliding, by beta. Default 0.05.
+  double shear_slope;
+  // Zero. Room for options of later versions.
+  uint64_t reserved[4];
+} fmc_ppr;
+
 // Sets the options of a pair to what it has without options of its own: the law of the context, not left out.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`. Threads: any, on different structs.
@@ -1097,6 +1118,37 @@ fmc_status fmc_context_orthotropic_pair(const fmc_context *context,
                                         int32_t b_kind,
                                         size_t b,
                                         fmc_orthotropic_friction *friction);
+
+// Sets shapes and slopes to the defaults.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`. Threads: any, on different structs.
+fmc_status fmc_ppr_init(fmc_ppr *ppr);
+
+// Sets the options of a pair as `fmc_context_set_pair_options` does, whose interface is `FMC_INTERFACE_COHESIVE` and whose softening is
+// `FMC_SOFTENING_PPR`, with other shapes and initial slopes than the default ones.
+//
+// Errors: those of `fmc_context_set_pair_options`; `FMC_ERROR_NOT_POSITIVE` and `FMC_ERROR_UNSUPPORTED` for shapes and slopes that cannot be,
+// which the text names; `FMC_ERROR_OPTIONS_CONFLICT` for another interface or softening. What was set before then stays. Threads: one call
+// at a time on a context.
+fmc_status fmc_context_set_ppr_pair(fmc_context *context,
+                                    int32_t a_kind,
+                                    size_t a,
+                                    int32_t b_kind,
+                                    size_t b,
+                                    const fmc_pair_options *options,
+                                    const fmc_ppr *ppr);
+
+// Shapes and slopes of a pair with `FMC_SOFTENING_PPR`; of any other pair the default ones.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BODY_OUT_OF_RANGE`, `FMC_ERROR_OBSTACLE_OUT_OF_RANGE`,
+// `FMC_ERROR_OBSTACLE_REMOVED`, `FMC_ERROR_BAD_VALUE` for an unknown kind, `FMC_ERROR_UNSUPPORTED` for two
+// obstacles, `FMC_ERROR_BUSY`. Threads: several at once on one context, as long as no call changes it.
+fmc_status fmc_context_ppr_pair(const fmc_context *context,
+                                int32_t a_kind,
+                                size_t a,
+                                int32_t b_kind,
+                                size_t b,
+                                fmc_ppr *ppr);
 
 // ---- Evaluate: forces and what belongs to them -----------------------------------------------------------
 

@@ -145,6 +145,7 @@ module fmc_contact_c
   integer(c_int32_t), parameter :: FMC_INTERFACE_ROUGH = 4
   integer(c_int32_t), parameter :: FMC_SOFTENING_LINEAR = 0
   integer(c_int32_t), parameter :: FMC_SOFTENING_EXPONENTIAL = 1
+  integer(c_int32_t), parameter :: FMC_SOFTENING_PPR = 2
   integer(c_int32_t), parameter :: FMC_PARTNER_BODY = 0
   integer(c_int32_t), parameter :: FMC_PARTNER_OBSTACLE = 1
   integer(c_int32_t), parameter :: FMC_WARNING_COARSE_FIBERS = 1
@@ -311,6 +312,15 @@ module fmc_contact_c
     real(c_double) :: direction(3)
     integer(c_int32_t) :: direction_of
     integer(c_int32_t) :: unused
+    integer(c_int64_t) :: reserved(4)
+  end type
+
+  type, bind(c) :: fmc_ppr
+    integer(c_size_t) :: struct_size
+    real(c_double) :: normal_shape
+    real(c_double) :: shear_shape
+    real(c_double) :: normal_slope
+    real(c_double) :: shear_slope
     integer(c_int64_t) :: reserved(4)
   end type
 
@@ -1025,6 +1035,32 @@ module fmc_contact_c
       integer(c_size_t), value :: b
       type(fmc_orthotropic_friction), intent(inout), optional :: friction
       integer(c_int32_t) :: fmc_context_orthotropic_pair
+    end function
+    function fmc_ppr_init(ppr) bind(c)
+      import
+      type(fmc_ppr), intent(inout), optional :: ppr
+      integer(c_int32_t) :: fmc_ppr_init
+    end function
+    function fmc_context_set_ppr_pair(context, a_kind, a, b_kind, b, options, ppr) bind(c)
+      import
+      type(c_ptr), value :: context
+      integer(c_int32_t), value :: a_kind
+      integer(c_size_t), value :: a
+      integer(c_int32_t), value :: b_kind
+      integer(c_size_t), value :: b
+      type(fmc_pair_options), intent(in), optional :: options
+      type(fmc_ppr), intent(in), optional :: ppr
+      integer(c_int32_t) :: fmc_context_set_ppr_pair
+    end function
+    function fmc_context_ppr_pair(context, a_kind, a, b_kind, b, ppr) bind(c)
+      import
+      type(c_ptr), value :: context
+      integer(c_int32_t), value :: a_kind
+      integer(c_size_t), value :: a
+      integer(c_int32_t), value :: b_kind
+      integer(c_size_t), value :: b
+      type(fmc_ppr), intent(inout), optional :: ppr
+      integer(c_int32_t) :: fmc_context_ppr_pair
     end function
     function fmc_context_evaluate(context, coords, forces, flags, result) bind(c)
       import

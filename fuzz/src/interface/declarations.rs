@@ -140,6 +140,7 @@ pub const FMC_INTERFACE_NO_SEPARATION: i32 = 3;
 pub const FMC_INTERFACE_ROUGH: i32 = 4;
 pub const FMC_SOFTENING_LINEAR: i32 = 0;
 pub const FMC_SOFTENING_EXPONENTIAL: i32 = 1;
+pub const FMC_SOFTENING_PPR: i32 = 2;
 pub const FMC_PARTNER_BODY: i32 = 0;
 pub const FMC_PARTNER_OBSTACLE: i32 = 1;
 pub const FMC_WARNING_COARSE_FIBERS: i32 = 1;
@@ -355,6 +356,17 @@ pub struct fmc_orthotropic_friction {
     pub direction: [f64; 3],
     pub direction_of: i32,
     pub unused: i32,
+    pub reserved: [u64; 4],
+}
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct fmc_ppr {
+    pub struct_size: usize,
+    pub normal_shape: f64,
+    pub shear_shape: f64,
+    pub normal_slope: f64,
+    pub shear_slope: f64,
     pub reserved: [u64; 4],
 }
 
@@ -863,6 +875,9 @@ unsafe extern "C" {
     pub fn fmc_orthotropic_friction_init(friction: *mut fmc_orthotropic_friction) -> fmc_status;
     pub fn fmc_context_set_orthotropic_pair(context: *mut fmc_context, a_kind: i32, a: usize, b_kind: i32, b: usize, options: *const fmc_pair_options, friction: *const fmc_orthotropic_friction) -> fmc_status;
     pub fn fmc_context_orthotropic_pair(context: *const fmc_context, a_kind: i32, a: usize, b_kind: i32, b: usize, friction: *mut fmc_orthotropic_friction) -> fmc_status;
+    pub fn fmc_ppr_init(ppr: *mut fmc_ppr) -> fmc_status;
+    pub fn fmc_context_set_ppr_pair(context: *mut fmc_context, a_kind: i32, a: usize, b_kind: i32, b: usize, options: *const fmc_pair_options, ppr: *const fmc_ppr) -> fmc_status;
+    pub fn fmc_context_ppr_pair(context: *const fmc_context, a_kind: i32, a: usize, b_kind: i32, b: usize, ppr: *mut fmc_ppr) -> fmc_status;
     pub fn fmc_context_evaluate(context: *mut fmc_context, coords: *const fmc_coords, forces: *const fmc_forces, flags: u32, result: *mut fmc_result) -> fmc_status;
     pub fn fmc_context_body_resultant(context: *const fmc_context, index: usize, body: *mut fmc_resultant) -> fmc_status;
     pub fn fmc_context_obstacle_resultant(context: *const fmc_context, index: usize, obstacle: *mut fmc_resultant) -> fmc_status;

@@ -140,6 +140,7 @@ FMC_INTERFACE_NO_SEPARATION = 3
 FMC_INTERFACE_ROUGH = 4
 FMC_SOFTENING_LINEAR = 0
 FMC_SOFTENING_EXPONENTIAL = 1
+FMC_SOFTENING_PPR = 2
 FMC_PARTNER_BODY = 0
 FMC_PARTNER_OBSTACLE = 1
 FMC_WARNING_COARSE_FIBERS = 1
@@ -297,7 +298,7 @@ FMC_SHAPE_KIND: dict[int, str] = {
 
 FMC_INTERFACE: dict[int, str] = {0: "contact", 1: "tied", 2: "cohesive", 3: "no_separation", 4: "rough"}
 
-FMC_SOFTENING: dict[int, str] = {0: "linear", 1: "exponential"}
+FMC_SOFTENING: dict[int, str] = {0: "linear", 1: "exponential", 2: "ppr"}
 
 FMC_PARTNER: dict[int, str] = {0: "body", 1: "obstacle"}
 

@@ -50,6 +50,7 @@ from ._structs import (
     fmc_pair_result,
     fmc_place,
     fmc_pose,
+    fmc_ppr,
     fmc_rank_counts,
     fmc_result,
     fmc_resultant,
@@ -139,6 +140,12 @@ FUNCTIONS: dict[str, tuple[Any, list[Any]]] = {
         c_int32,
         [fmc_context, c_int32, c_size_t, c_int32, c_size_t, POINTER(fmc_orthotropic_friction)],
     ),
+    "fmc_ppr_init": (c_int32, [POINTER(fmc_ppr)]),
+    "fmc_context_set_ppr_pair": (
+        c_int32,
+        [fmc_context, c_int32, c_size_t, c_int32, c_size_t, POINTER(fmc_pair_options), POINTER(fmc_ppr)],
+    ),
+    "fmc_context_ppr_pair": (c_int32, [fmc_context, c_int32, c_size_t, c_int32, c_size_t, POINTER(fmc_ppr)]),
     "fmc_context_evaluate": (
         c_int32,
         [fmc_context, POINTER(fmc_coords), POINTER(fmc_forces), c_uint32, POINTER(fmc_result)],

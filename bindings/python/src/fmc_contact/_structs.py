@@ -203,6 +203,17 @@ class fmc_orthotropic_friction(Structure):
     ]
 
 
+class fmc_ppr(Structure):
+    _fields_ = [
+        ("struct_size", c_size_t),
+        ("normal_shape", c_double),
+        ("shear_shape", c_double),
+        ("normal_slope", c_double),
+        ("shear_slope", c_double),
+        ("reserved", c_uint64 * 4),
+    ]
+
+
 class fmc_result(Structure):
     _fields_ = [
         ("struct_size", c_size_t),
