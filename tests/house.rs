@@ -41,6 +41,7 @@ const ROOMS: &[&str] = &[
     "contact/method",
     "contact/partners",
     "contact/mesh",
+    "contact/held",
     "contact/ties",
     "contact/glides",
     "contact/flux",

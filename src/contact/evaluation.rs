@@ -12,6 +12,7 @@ mod flux;
 mod friction_heat;
 mod gathered;
 mod gradients;
+mod held;
 pub(super) mod kernels;
 mod layer;
 mod measured;

@@ -12,10 +12,10 @@
 
 use super::broken_friction::{ByNode, Edges, Rub};
 use super::cohesion::{Cohesion, CohesivePoint};
-use super::cohesive_law::{CohesiveLaw, Response};
+use super::cohesive_law::CohesiveLaw;
 use super::frame::{Frame, Matrix};
 use super::place::Weights;
-use super::point_state::{PointDamage, PointHistory, PointState};
+use super::point_state::{PointDamage, PointHistory, PointState, Response};
 use crate::geometry::Vector;
 use crate::overlap::{Block, BlockSum};
 use std::collections::BTreeMap;

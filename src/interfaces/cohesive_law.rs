@@ -14,7 +14,7 @@
 //! then never falls as the mode changes, and each path dissipates (Turon, Camanho, Costa, Renart 2010).
 
 use super::broken_friction::BrokenFriction;
-use super::point_state::{PointDamage, PointState};
+use super::point_state::{PointDamage, PointState, Response};
 use super::ppr_law::{Ppr, PprLaw};
 use crate::Error;
 
@@ -114,7 +114,16 @@ impl Cohesive {
             return Err(Error::NotPositive { name: "mixed_mode_exponent", value: self.exponent });
         }
         if let Softening::Ppr(ppr) = self.softening {
-            return ppr.check(self).and_then(|()| CohesiveLaw::new(self).check());
+            ppr.check()?;
+            let what = match self {
+                _ if self.stiffness != 0.0 => "a stiffness of a cohesive interface by the law ppr, whose slopes say it",
+                _ if self.exponent != Self::EXPONENT => {
+                    "a mixed_mode_exponent of a cohesive interface by the law ppr, which mixes the modes by its potential"
+                }
+                _ if self.viscosity != 0.0 => "a viscosity of a cohesive interface by the law ppr",
+                _ => return CohesiveLaw::new(self).check(),
+            };
+            return Err(Error::Unsupported { what });
         }
         if self.brittleness() <= 1.0 {
             let what = "a stiffness of a cohesive interface that is not above strength² / (2 energy): it would break before it yields";
@@ -143,24 +152,6 @@ pub(crate) struct CohesiveLaw {
     part: f64,
     pub(crate) is_viscous: bool,
     pub(super) friction: Option<BrokenFriction>,
-}
-
-/// What a point does at an opening and a sliding.
-#[derive(Clone, Copy)]
-pub(super) struct Response {
-    pub(super) now: PointState,
-    /// Energy by area that unloading would give back.
-    pub(super) stored: f64,
-    /// Traction along the normal, negative in compression, and its derivative at this damage.
-    pub(super) normal: f64,
-    pub(super) normal_stiffness: f64,
-    /// Traction by sliding.
-    pub(super) shear_stiffness: f64,
-    /// How the damage grows: by dY, and by the part of it that is sliding's.
-    pub(super) growth: Option<[f64; 2]>,
-    /// What else the derivative of the tractions has, as the law ppr has it: ∂t_n/∂δ_n less the stiffness at this damage, ∂t_n/∂|δ_t| by |δ_t|, and of
-    /// the traction by sliding ∂/∂δ_n and ∂/∂|δ_t| by |δ_t|.
-    pub(super) coupled: Option<[f64; 4]>,
 }
 
 impl CohesiveLaw {

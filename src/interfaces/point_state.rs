@@ -60,3 +60,21 @@ pub(crate) struct PointState {
     pub(crate) damage: PointDamage,
     pub(crate) history: PointHistory,
 }
+
+/// What a point does at an opening and a sliding.
+#[derive(Clone, Copy)]
+pub(super) struct Response {
+    pub(super) now: PointState,
+    /// Energy by area that unloading would give back.
+    pub(super) stored: f64,
+    /// Traction along the normal, negative in compression, and its derivative at this damage.
+    pub(super) normal: f64,
+    pub(super) normal_stiffness: f64,
+    /// Traction by sliding.
+    pub(super) shear_stiffness: f64,
+    /// How the damage grows: by dY, and by the part of it that is sliding's.
+    pub(super) growth: Option<[f64; 2]>,
+    /// What else the derivative of the tractions has, as the law ppr has it: ∂t_n/∂δ_n less the stiffness at this damage, ∂t_n/∂|δ_t| by |δ_t|, and of
+    /// the traction by sliding ∂/∂δ_n and ∂/∂|δ_t| by |δ_t|.
+    pub(super) coupled: Option<[f64; 4]>,
+}

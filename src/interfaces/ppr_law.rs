@@ -13,8 +13,7 @@
 //! either opening grows on, so every path dissipates and nothing heals. In the paper a traction goes on with the other opening of now, by
 //! which an interface that is slid back has its strength again.
 
-use super::cohesive_law::{Cohesive, Response};
-use super::point_state::PointState;
+use super::point_state::{PointState, Response};
 use crate::Error;
 
 /// Shapes and initial slopes of the law of Park, Paulino and Roesler.
@@ -38,8 +37,8 @@ impl Default for Ppr {
 }
 
 impl Ppr {
-    /// Refuses what is no such law, and what it has no use for.
-    pub(super) fn check(&self, options: &Cohesive) -> Result<(), Error> {
+    /// Refuses what is no such law.
+    pub(super) fn check(&self) -> Result<(), Error> {
         let sides = [
             (["normal_shape", "normal_slope"], self.normal_shape, self.normal_slope),
             (["shear_shape", "shear_slope"], self.shear_shape, self.shear_slope),
@@ -59,15 +58,7 @@ impl Ppr {
                 return Err(Error::Unsupported { what });
             }
         }
-        let what = match options {
-            _ if options.stiffness != 0.0 => "a stiffness of a cohesive interface by the law ppr, whose slopes say it",
-            _ if options.exponent != Cohesive::EXPONENT => {
-                "a mixed_mode_exponent of a cohesive interface by the law ppr, which mixes the modes by its potential"
-            }
-            _ if options.viscosity != 0.0 => "a viscosity of a cohesive interface by the law ppr",
-            _ => return Ok(()),
-        };
-        Err(Error::Unsupported { what })
+        Ok(())
     }
 }
 

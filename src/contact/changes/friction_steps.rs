@@ -36,7 +36,7 @@ pub(crate) fn commit<const D: usize>(contact: &mut Contact<D>, coords: &[[f64; D
     contact.mesh.check_brought(coords)?;
     let pairs = kernels::slip_facets(contact, coords)?;
     let points = contact.mesh.points(coords)?;
-    let damage = contact.cohesions.damaged(contact, &points)?;
+    let damage = contact.at_points(&points, |at| contact.cohesions.damaged(at))?;
     let glides = contact.glides.moved_on(&contact.mesh, contact.method.weighting(), &points)?;
     let slip = pairs.iter().flat_map(SlipFacets::carried).collect();
     let next = step_at(contact, coords, slip)?;

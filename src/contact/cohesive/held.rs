@@ -1,10 +1,8 @@
 //! The cohesive interfaces of a contact.
 
 use super::carried::carried;
-use super::past::Damage;
 use crate::Error;
-use crate::contact::evaluation::Contact;
-use crate::contact::held::{At, Finder, Found, HeldList};
+use crate::contact::held::{At, Damage, Finder, Found, HeldList};
 use crate::contact::laws::PairEnergy;
 use crate::contact::mesh::Mesh;
 use crate::contact::tangents::TangentPart;
@@ -27,9 +25,8 @@ impl<const D: usize> Found<D> for Cohesion<D> {
     }
 
     /// After what its points have been through.
-    fn there(&self, (options, _): &Self::Kept, (contact, points): At<D>) -> Result<CohesionAt<'_, D>, Error> {
-        let past = contact.past();
-        Ok(self.at(points, &past.law(options, self.bodies)?, past.states(self)))
+    fn there(&self, (options, _): &Self::Kept, at: At<D>) -> Result<CohesionAt<'_, D>, Error> {
+        Ok(self.at(at.points, &at.past.law(options, self.bodies)?, at.past.states(self)))
     }
 
     /// What was put into the interface, stored and dissipated: no step makes it jump. Its area is what is not broken.
@@ -77,11 +74,11 @@ impl<const D: usize> Cohesions<D> {
     }
 
     /// What points have been through after a step that ends at these points of the mesh.
-    pub(crate) fn damaged(&self, contact: &Contact<D>, points: &[[f64; D]]) -> Result<Damage, Error> {
+    pub(crate) fn damaged(&self, at: At<D>) -> Result<Damage, Error> {
         let one = |(cohesion, at, _): (&Cohesion<D>, CohesionAt<'_, D>, usize)| {
             (cohesion.bodies, at.points().map(|(_, point)| point.state()).collect())
         };
-        Ok(self.there((contact, points))?.into_iter().map(one).collect())
+        Ok(self.there(at)?.into_iter().map(one).collect())
     }
 
     /// The same as one list, by pair and point.

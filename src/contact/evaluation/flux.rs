@@ -46,13 +46,13 @@ fn through_interfaces<const D: usize>(
     let surfaces =
         HeldSurfaces { surface: &mesh.surface, reference: &reference, now: &now, weighting: method.weighting() };
     // Nothing flows through ties that were added.
-    for (tie, at, _) in ties.there((contact, points))?.into_iter().filter(|(.., added)| *added == 0) {
+    for (tie, at, _) in contact.at_points(points, |at| ties.there(at))?.into_iter().filter(|(.., added)| *added == 0) {
         parts.push(of_tie(tie, &at.tractions, &surfaces, conductance));
     }
-    for (glide, at, _) in glides.there((contact, points))? {
+    for (glide, at, _) in contact.at_points(points, |at| glides.there(at))? {
         parts.push(of_glide(glide, &at, &surfaces, conductance));
     }
-    for (cohesion, at, _) in cohesions.there((contact, points))? {
+    for (cohesion, at, _) in contact.at_points(points, |at| cohesions.there(at))? {
         parts.push(of_cohesion(cohesion, &at, conductance));
     }
     Ok(parts)

@@ -2,8 +2,9 @@
 
 use super::state::LastState;
 use crate::Error;
-use crate::contact::cohesive::{Cohesions, Past};
+use crate::contact::cohesive::Cohesions;
 use crate::contact::glides::Glides;
+use crate::contact::held::Past;
 use crate::contact::history::History;
 use crate::contact::mesh::Mesh;
 use crate::contact::method::{Method, Options};

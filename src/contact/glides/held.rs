@@ -26,9 +26,9 @@ impl<const D: usize> Found<D> for Arc<Glide<D>> {
         &self.first.facets
     }
 
-    fn there(&self, multipliers: &BTreeMap<u32, f64>, (contact, points): At<D>) -> Result<GlideAt<'_, D>, Error> {
-        let stiffness = contact.stiffness_of_tie(self.first.between.bodies.map(Partner::Body));
-        Ok(self.at(points, stiffness, multipliers))
+    fn there(&self, multipliers: &BTreeMap<u32, f64>, at: At<D>) -> Result<GlideAt<'_, D>, Error> {
+        let stiffness = (at.stiffness)(self.first.between.bodies.map(Partner::Body));
+        Ok(Glide::at(self, at.points, stiffness, multipliers))
     }
 
     fn pair_energy(&self, at: &GlideAt<'_, D>) -> PairEnergy<D> {

@@ -1,19 +1,25 @@
 //! What is found between two surfaces, and holds them.
 
+use super::past::Past;
 use crate::Error;
-use crate::contact::evaluation::Contact;
 use crate::contact::laws::{Answer, PairEnergy};
 use crate::contact::mesh::Mesh;
 use crate::contact::tangents::{Tangent, TangentPart};
 use crate::geometry::{Surface, Weighting};
 use crate::interfaces::{Between, HeldFacets};
-use crate::overlap::Block;
+use crate::overlap::{Block, Partner};
 
 /// Looks for something at points of the straight mesh; an error where the surfaces face one another nowhere.
 pub(crate) type Finder<T, const D: usize> = fn(&Surface<D>, &[[f64; D]], Weighting, &Between) -> Result<T, Error>;
 
-/// A contact and points of its mesh.
-pub(crate) type At<'a, const D: usize> = (&'a Contact<D>, &'a [[f64; D]]);
+/// Points of the mesh, and what is asked of the contact there.
+#[derive(Clone, Copy)]
+pub(crate) struct At<'a, const D: usize> {
+    pub(crate) points: &'a [[f64; D]],
+    /// Of ties and of what does not separate.
+    pub(crate) stiffness: &'a dyn Fn([Partner; 2]) -> f64,
+    pub(crate) past: Past<'a, D>,
+}
 
 /// Energy and tangent, as far as they are wanted.
 pub(crate) type Wanted = (bool, Option<TangentPart>);

@@ -102,7 +102,7 @@ impl<T: Found<D>, const D: usize> HeldList<T, D> {
     }
 
     /// Facets that are held of pairs of which parts alone are to be, by their options.
-    pub(super) fn facets(&self) -> impl Iterator<Item = ([usize; 2], &HeldFacets)> {
+    pub(crate) fn facets(&self) -> impl Iterator<Item = ([usize; 2], &HeldFacets)> {
         let in_part = self.held.iter().filter(|((_, added), held)| *added == 0 && held.between.facets.is_some());
         in_part.filter_map(|(_, held)| held.found.as_ref().ok().map(|found| (held.between.bodies, found.facets())))
     }
@@ -114,7 +114,7 @@ impl<T: Found<D>, const D: usize> HeldList<T, D> {
     }
 
     /// By pair.
-    pub(super) fn answers(&self, at: At<D>, wanted: Wanted) -> Result<Vec<Answer<D>>, Error> {
+    pub(crate) fn answers(&self, at: At<D>, wanted: Wanted) -> Result<Vec<Answer<D>>, Error> {
         Ok(self.there(at)?.into_iter().map(|(found, there, _)| found.answer(&there, wanted)).collect())
     }
 }

@@ -16,7 +16,7 @@ impl<const D: usize> Contact<D> {
         let pair = self.partners.checked_pair(bodies.map(Partner::Body), self.mesh.surface.body_count())?;
         let points = self.mesh.points(coords)?;
         self.mesh.surface.check_coords(&points, false)?;
-        let all = self.cohesions.there((self, &points))?;
+        let all = self.at_points(&points, |at| self.cohesions.there(at))?;
         Ok(all.into_iter().find(|(cohesion, ..)| cohesion.bodies.map(Partner::Body) == pair).map(
             |(cohesion, at, _)| {
                 let [stored, dissipated, rubbed, viscous] = at.energies();
@@ -48,7 +48,8 @@ impl<const D: usize> Contact<D> {
             return Ok(Vec::new());
         }
         let points = self.mesh.points(coords)?;
-        let (at, before) = (self.cohesions.there((self, &points))?, self.cohesions.list(&self.history.damage)?);
+        let (at, before) =
+            (self.at_points(&points, |at| self.cohesions.there(at))?, self.cohesions.list(&self.history.damage)?);
         let (mut found, mut before) = (Vec::new(), before.iter());
         for ((cohesion, at, _), held) in at.into_iter().zip(self.cohesions.all()) {
             let law = CohesiveLaw::new(&held?.1.0);
@@ -76,7 +77,7 @@ impl<const D: usize> Contact<D> {
         let points = self.mesh.points(coords)?;
         self.mesh.surface.check_coords(&points, false)?;
         let mut found = Vec::new();
-        for (cohesion, at, _) in self.cohesions.there((self, &points))? {
+        for (cohesion, at, _) in self.at_points(&points, |at| self.cohesions.there(at))? {
             found.extend(at.points().map(|(point, at)| CohesivePoint {
                 bodies: cohesion.bodies,
                 position: cohesion.position(point, &points).into(),

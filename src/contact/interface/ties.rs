@@ -34,7 +34,7 @@ impl<const D: usize> Contact<D> {
         let points = self.mesh.points(coords)?;
         self.mesh.surface.check_coords(&points, false)?;
         let mut found = Vec::new();
-        for (tie, at, _) in self.ties.there((self, &points))? {
+        for (tie, at, _) in self.at_points(&points, |at| self.ties.there(at))? {
             let [a, b] = tie.bodies;
             let bodies = if tie.is_second { [b, a] } else { [a, b] };
             for (row, (jump, traction)) in tie.rows.iter().zip(at.jumps.iter().zip(&at.tractions)) {
@@ -47,7 +47,7 @@ impl<const D: usize> Contact<D> {
                 });
             }
         }
-        for (glide, at, _) in self.glides.there((self, &points))? {
+        for (glide, at, _) in self.at_points(&points, |at| self.glides.there(at))? {
             let [a, b] = glide.first.between.bodies;
             let bodies = if glide.first.is_second { [b, a] } else { [a, b] };
             for (number, (row, (gap, traction))) in glide.rows.iter().zip(at.gaps.iter().zip(&at.tractions)).enumerate()

@@ -46,8 +46,8 @@ impl<const D: usize> Found<D> for Tie<D> {
         &self.facets
     }
 
-    fn there(&self, kept: &TieKept<D>, (contact, points): At<D>) -> Result<TieAt<'_, D>, Error> {
-        Ok(self.at(points, contact.stiffness_of_tie(self.bodies.map(Partner::Body)), &kept.multipliers))
+    fn there(&self, kept: &TieKept<D>, at: At<D>) -> Result<TieAt<'_, D>, Error> {
+        Ok(self.at(at.points, (at.stiffness)(self.bodies.map(Partner::Body)), &kept.multipliers))
     }
 
     fn pair_energy(&self, at: &TieAt<'_, D>) -> PairEnergy<D> {

@@ -1,8 +1,8 @@
 //! All that holds bodies of a contact together.
 
-use super::found::Wanted;
 use crate::Error;
 use crate::contact::evaluation::Contact;
+use crate::contact::held::{At, Wanted};
 use crate::contact::laws::Answer;
 use crate::interfaces::HeldFacets;
 
@@ -17,12 +17,19 @@ impl<const D: usize> Contact<D> {
         self.has_ties() || !self.cohesions.is_empty()
     }
 
+    /// Has something asked at points of the mesh.
+    pub(crate) fn at_points<T>(&self, points: &[[f64; D]], ask: impl FnOnce(At<D>) -> T) -> T {
+        ask(At { points, stiffness: &|pair| self.stiffness_of_tie(pair), past: self.past() })
+    }
+
     /// Energies and tangents of all at points of the mesh.
     pub(crate) fn answers_of_held(&self, points: &[[f64; D]], wanted: Wanted) -> Result<Vec<Answer<D>>, Error> {
-        let (mut answers, at) = (self.ties.answers((self, points), wanted)?, (self, points));
-        answers.extend(self.glides.answers(at, wanted)?);
-        answers.extend(self.cohesions.answers(at, wanted)?);
-        Ok(answers)
+        self.at_points(points, |at| {
+            let mut answers = self.ties.answers(at, wanted)?;
+            answers.extend(self.glides.answers(at, wanted)?);
+            answers.extend(self.cohesions.answers(at, wanted)?);
+            Ok(answers)
+        })
     }
 
     /// Facets that are held of pairs of which parts alone are to be.

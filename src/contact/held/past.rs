@@ -22,7 +22,7 @@ pub(crate) struct Past<'a, const D: usize> {
 
 impl<'a, const D: usize> Past<'a, D> {
     /// What points have been through.
-    pub(super) fn states(&self, cohesion: &Cohesion<D>) -> &'a [PointState] {
+    pub(crate) fn states(&self, cohesion: &Cohesion<D>) -> &'a [PointState] {
         self.damage.get(&cohesion.bodies).map_or(&[], Vec::as_slice)
     }
 
@@ -30,7 +30,7 @@ impl<'a, const D: usize> Past<'a, D> {
     ///
     /// # Errors
     /// [`Error::Unsupported`] with a viscosity, where no time step was set.
-    pub(super) fn law(&self, options: &Cohesive, bodies: [usize; 2]) -> Result<CohesiveLaw, Error> {
+    pub(crate) fn law(&self, options: &Cohesive, bodies: [usize; 2]) -> Result<CohesiveLaw, Error> {
         if options.viscosity > 0.0 && self.time_step <= 0.0 {
             let what = "a viscosity of a cohesive interface without a time step: set it before the evaluation (fmc_context_set_time_step, \
                         cohesive.set_time_step in Python, Contact::set_time_step in Rust)";
