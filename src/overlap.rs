@@ -31,7 +31,7 @@ pub(crate) use pair::overlap::MotionGradient;
 pub use pair::overlap::{Overlap, PoseGradient};
 pub use pair::partner::Partner;
 pub(crate) use pair::second_derivative::SecondDerivative;
-pub(crate) use pair::sides::{Counterpart, ImplicitSide, Pair, TiedFacets};
+pub(crate) use pair::sides::{Counterpart, ImplicitSide, Offset, Pair, TiedFacets};
 pub(crate) use pair::surface_point::SurfacePoint;
 pub use pair::warning::{Smoothing, Warning};
 pub use sums::block_sum::Block;

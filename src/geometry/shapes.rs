@@ -31,6 +31,7 @@ mod nearest;
 mod obstacle;
 mod plane_tree;
 mod revolution;
+mod ridges;
 mod signed_distance;
 mod solid;
 #[cfg(not(feature = "shapes"))]
@@ -42,13 +43,14 @@ pub(crate) use convex_shape::ConvexShape;
 pub(crate) use convex_shape::tests::convex;
 pub(crate) use extent::Extent;
 pub(crate) use faces::Faces;
-pub(crate) use flat_faces::FLAT;
+pub(crate) use flat_faces::{ConvexFaces, FLAT};
 pub(crate) use half_space::HalfSpace;
 pub use height_field::HeightField;
 pub(crate) use implicit_shape::ImplicitShape;
 pub use measures::Measures;
 pub use obstacle::Obstacle;
 pub(crate) use plane_tree::{PlaneBounds, PlaneTree};
+pub(crate) use ridges::Ridge;
 pub use signed_distance::SignedDistance;
 pub(crate) use solid::Solid;
 

@@ -71,7 +71,7 @@ fn needed_below<const D: usize>(
     };
     let has_depth =
         partners.law_of(&pair, method).needs_depth() || partners.friction_of(&pair, method.options()).is_active();
-    let faces = if parallel.is_none() { rigid.solid().faces() } else { None };
+    let faces = if parallel.is_none() || has_depth { rigid.solid().faces() } else { None };
     let is_half_space = shape.is_some_and(ImplicitShape::is_half_space);
     let within = match (shape, faces) {
         // The depth below their faces is summed along lines that run through all of the body.
@@ -83,9 +83,11 @@ fn needed_below<const D: usize>(
         (Some(shape), None) if is_half_space => {
             let Plane { normal, point } = Plane::of(&pose);
             pose.position = (point + normal * (reach + aabb.rounding())).into();
-            obstacle_region(&ImplicitSide { obstacle, shape, pose: &pose }, aabb)?
+            obstacle_region(&ImplicitSide { obstacle, shape, pose: &pose, offset: None }, aabb)?
         }
-        (Some(shape), None) if reach <= 0.0 => obstacle_region(&ImplicitSide { obstacle, shape, pose: &pose }, aabb)?,
+        (Some(shape), None) if reach <= 0.0 => {
+            obstacle_region(&ImplicitSide { obstacle, shape, pose: &pose, offset: None }, aabb)?
+        }
         // How far it reaches is not known.
         (_, None) => Some(*aabb),
     };

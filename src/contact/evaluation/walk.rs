@@ -7,7 +7,7 @@ use super::state::State;
 use crate::Error;
 use crate::contact::laws::Measured;
 use crate::contact::partners::Partners;
-use crate::overlap::{Counterpart, ImplicitSide, Pair, Partner};
+use crate::overlap::{Counterpart, ImplicitSide, Offset, Pair, Partner};
 use crate::ranks::on_threads_of;
 use rayon::prelude::*;
 use std::sync::OnceLock;
@@ -106,10 +106,14 @@ fn with_pair<const D: usize, T>(
         }
         (Partner::Body(second), _) => Counterpart::Facets(configuration.body(&mesh.surface, second)),
         (Partner::Obstacle(obstacle), Some(rigid)) => match (&parallel, &placed[obstacle], rigid.solid().implicit()) {
-            (Some((shape, pose)), ..) => Counterpart::Implicit(ImplicitSide { obstacle, shape, pose }),
+            (Some((shape, pose)), placed, _) => {
+                let by = table.gap_offset(&partners);
+                let offset = placed.as_ref().map(|placed| Offset { of: rigid.side(placed), by });
+                Counterpart::Implicit(ImplicitSide { obstacle, shape, pose, offset })
+            }
             (None, Some(placed), _) => Counterpart::Facets(rigid.side(placed)),
             (None, None, Some(shape)) => {
-                Counterpart::Implicit(ImplicitSide { obstacle, shape, pose: &rigid.obstacle.pose })
+                Counterpart::Implicit(ImplicitSide { obstacle, shape, pose: &rigid.obstacle.pose, offset: None })
             }
             // What has facets alone is placed before pairs are.
             (None, None, None) => return Ok(None),

@@ -1,6 +1,7 @@
 //! The flat faces of a closed surface.
 
 use super::plane_tree::PlaneTree;
+use super::ridges::Ridges;
 use crate::geometry::Vector;
 use crate::geometry::aabb::Aabb;
 use crate::geometry::facet::area_vector;
@@ -32,6 +33,8 @@ pub(crate) struct ConvexFaces {
     pub(crate) widths: Vec<f64>,
     /// Over their planes.
     pub(crate) planes: PlaneTree,
+    /// What lies between them.
+    pub(crate) ridges: Ridges,
 }
 
 impl FlatFaces {
@@ -110,7 +113,8 @@ fn convex<const D: usize>(
         of_face.sort_unstable();
         of_face.dedup();
     }
-    Some(ConvexFaces { corners, widths, planes: PlaneTree::new(&normals) })
+    let ridges = Ridges::new(facets, points, face_of);
+    Some(ConvexFaces { corners, widths, planes: PlaneTree::new(&normals), ridges })
 }
 
 fn tolerance<const D: usize>(points: &[Vector<D>]) -> f64 {

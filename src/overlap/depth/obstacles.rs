@@ -1,7 +1,8 @@
 //! A body and a rigid obstacle, which has the depth.
 //!
 //! Obstacles with flat faces in closed form: `convex_solid` · `locally_convex` (that are convex where the body is) ·
-//! `facet_part` · `convex_facets` (over facets) · `convex_volume` (over the overlap). Others by quadrature: `adaptive` (division until nothing is missed) · `quadrature`.
+//! `facet_part` · `convex_facets` (over facets) · `convex_volume` (over the overlap). Convex ones with a shell: `round_cells` (what of
+//! them is nearest) · `round_points` · `rounded`. Others by quadrature: `adaptive` (division until nothing is missed) · `quadrature`.
 //! `facet_moments` (what a facet adds) · `integral` (all of it together)
 
 mod adaptive;
@@ -14,5 +15,8 @@ mod integral;
 mod least_of;
 mod locally_convex;
 mod quadrature;
+mod round_cells;
+mod round_points;
+mod rounded;
 
 pub(crate) use integral::of_obstacle;

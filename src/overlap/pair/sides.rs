@@ -19,6 +19,15 @@ pub(crate) struct ImplicitSide<'a, const D: usize> {
     pub(crate) obstacle: usize,
     pub(crate) shape: &'a ImplicitShape<D>,
     pub(crate) pose: &'a Pose<D>,
+    /// The obstacle itself, where this is its surface at an offset, and that is found from its facets.
+    pub(crate) offset: Option<Offset<'a, D>>,
+}
+
+/// Facets, and how far outside of them a surface lies.
+#[derive(Clone, Copy)]
+pub(crate) struct Offset<'a, const D: usize> {
+    pub(crate) of: FacetSide<'a, D>,
+    pub(crate) by: f64,
 }
 
 /// What stands against the first body of a pair.

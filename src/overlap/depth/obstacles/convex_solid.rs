@@ -29,6 +29,11 @@ impl<const D: usize> Linear<D> {
         self.slope.dot(x) + self.constant
     }
 
+    /// The same with the other sign, to the last bit.
+    pub(crate) fn negated(&self) -> Self {
+        Self { slope: -self.slope, constant: -self.constant }
+    }
+
     /// Its least value in a box.
     pub(crate) fn least(&self, aabb: &Aabb<D>) -> f64 {
         (0..D).fold(self.constant, |sum, i| sum + (self.slope[i] * aabb.min[i]).min(self.slope[i] * aabb.max[i]))
@@ -82,6 +87,15 @@ impl<'a, const D: usize> ConvexSolid<'a, D> {
         let neighbours = Cow::Borrowed(flat.neighbours.as_slice());
         let (planes, rounding) = (bounds(&tree, &heights), side.aabb.rounding());
         Some(Self { heights, faces: Some(PlacedFaces { tree, planes, boxes, deepest, neighbours, rounding }) })
+    }
+
+    /// The solid whose surface lies further in: the depth is less by so much everywhere.
+    pub(crate) fn moved_in(mut self, by: f64) -> Self {
+        self.heights.iter_mut().for_each(|height| height.constant += by);
+        if let Some(faces) = &mut self.faces {
+            faces.planes = bounds(&faces.tree, &self.heights);
+        }
+        self
     }
 
     /// Whether closed forms are worth their while for a body in this box: deep in an obstacle of many faces most of them are as

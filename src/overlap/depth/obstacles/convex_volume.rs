@@ -32,6 +32,8 @@ pub(crate) struct DepthSum {
     pub(crate) depth: f64,
     /// The latter not weighted, where there is a weight.
     pub(crate) bare_depth: f64,
+    /// Nor the volume.
+    pub(crate) bare_volume: f64,
 }
 
 /// Faces that a thread takes at once.
@@ -184,7 +186,20 @@ impl DepthSum {
             let second = slope * (low * low * low - high * high * high) / 3.0;
             self.depth += across * part * (at_foot * moment + second);
             self.bare_depth += across * part * moment;
+            self.bare_volume += across * part * length;
         });
+    }
+}
+
+impl DepthSum {
+    /// All of it, multiplied.
+    pub(super) fn times(&self, factor: f64) -> Self {
+        Self {
+            volume: self.volume * factor,
+            depth: self.depth * factor,
+            bare_depth: self.bare_depth * factor,
+            bare_volume: self.bare_volume * factor,
+        }
     }
 }
 
@@ -193,5 +208,6 @@ impl AddAssign for DepthSum {
         self.volume += other.volume;
         self.depth += other.depth;
         self.bare_depth += other.bare_depth;
+        self.bare_volume += other.bare_volume;
     }
 }

@@ -13,6 +13,7 @@ use super::convex_facets::facet_moments;
 use super::convex_solid::ConvexSolid;
 use super::convex_volume::DepthSum;
 use super::quadrature::{over_facets, over_volume};
+use super::rounded::Rounded;
 use crate::Error;
 use crate::geometry::aabb::Aabb;
 use crate::geometry::convex_piece::Piece;
@@ -26,7 +27,7 @@ use crate::overlap::pair::distance_slopes::slopes_at_surface;
 use crate::overlap::pair::obstacle_distance::ObstacleDistance;
 use crate::overlap::pair::obstacle_region;
 use crate::overlap::pair::overlap::{MotionGradient, Overlap};
-use crate::overlap::pair::sides::{Counterpart, Pair};
+use crate::overlap::pair::sides::{Counterpart, ImplicitSide, Offset, Pair};
 use crate::overlap::pair::warning::Warning;
 use crate::overlap::sums::block_sum::symmetric_part;
 
@@ -41,31 +42,57 @@ const ALL_GENTLE: f64 = 0.99;
 /// Facets that a thread takes at once.
 const CHUNK: usize = 64;
 
+/// An obstacle by the planes of its faces.
+enum OfFaces<'a, const D: usize> {
+    /// The points below all of them.
+    Sharp(ConvexSolid<'a, D>),
+    /// With what is near to these.
+    Round(Rounded<'a, D>),
+}
+
+impl<'a, const D: usize> OfFaces<'a, D> {
+    /// That of the obstacle of a pair; `None` where it has no faces, or is not convex where the body is.
+    fn of(pair: &'a Pair<'a, D>, pose: &Pose<D>) -> Option<Self> {
+        let body = &pair.a.aabb;
+        let convex = |side| ConvexSolid::within(side, pose.scale).or_else(|| ConvexSolid::near(side, body));
+        match &pair.counterpart {
+            Counterpart::Implicit(ImplicitSide { offset: Some(Offset { of, by }), .. })
+                if ConvexSolid::is_cheap(of, body) =>
+            {
+                if *by < 0.0 {
+                    return convex(of).map(|solid| Self::Sharp(solid.moved_in(-by)));
+                }
+                Rounded::new(of, pose.scale, *by).map(Self::Round)
+            }
+            Counterpart::Implicit(side) => side.plane().map(|plane| Self::Sharp(ConvexSolid::below(&plane))),
+            Counterpart::Facets(side) if ConvexSolid::is_cheap(side, body) => convex(side).map(Self::Sharp),
+            Counterpart::Facets(_) | Counterpart::Itself => None,
+        }
+    }
+}
+
 /// J of a body and an obstacle, or `None` where they are apart.
 pub(crate) fn of_obstacle<const D: usize>(
     pair: &Pair<D>,
     pose: &Pose<D>,
     request: &DepthRequest,
 ) -> Result<Option<DepthIntegral<D>>, Error> {
-    let solid = match &pair.counterpart {
-        Counterpart::Implicit(side) => side.plane().map(|plane| ConvexSolid::below(&plane)),
-        Counterpart::Facets(side) if ConvexSolid::is_cheap(side, &pair.a.aabb) => {
-            ConvexSolid::within(side, pose.scale).or_else(|| ConvexSolid::near(side, &pair.a.aabb))
+    let outer = OfFaces::of(pair, pose);
+    let within = match (&pair.counterpart, &outer) {
+        (Counterpart::Implicit(ImplicitSide { offset: Some(offset), .. }), Some(_)) => {
+            let around = offset.of.aabb.inflated(offset.by.max(0.0));
+            Some(pair.a.aabb.intersection(&around)).filter(|aabb| !aabb.is_empty())
         }
-        Counterpart::Facets(_) => None,
-        Counterpart::Itself => None,
-    };
-    let within = match &pair.counterpart {
-        Counterpart::Implicit(side) => obstacle_region::region(side, &pair.a.aabb)?,
-        Counterpart::Facets(side) => Some(pair.a.aabb.intersection(&side.aabb)).filter(|aabb| !aabb.is_empty()),
-        Counterpart::Itself => None,
+        (Counterpart::Implicit(side), _) => obstacle_region::region(side, &pair.a.aabb)?,
+        (Counterpart::Facets(side), _) => Some(pair.a.aabb.intersection(&side.aabb)).filter(|aabb| !aabb.is_empty()),
+        (Counterpart::Itself, _) => None,
     };
     let Some(within) = within else { return Ok(None) };
-    let (sums, whole) = match solid {
-        Some(solid) => {
-            let facets = pair.a.facets_in(&within);
-            (in_convex_solid(pair, &solid, &facets, request), solid.sums(pair))
-        }
+    let facets = || pair.a.facets_in(&within);
+    let is_exact = outer.is_some();
+    let (sums, whole) = match outer {
+        Some(OfFaces::Sharp(solid)) => (in_convex_solid(pair, &solid, &facets(), request), solid.sums(pair)),
+        Some(OfFaces::Round(solid)) => (solid.over_facets(pair, &facets(), request), solid.sums(pair)),
         None => {
             let distance = ObstacleDistance::new(&pair.counterpart, pose);
             let sums = over_facets(pair, &distance, &within, request)?;
@@ -73,7 +100,7 @@ pub(crate) fn of_obstacle<const D: usize>(
         }
     };
     let Some(mut overlap) = sums.overlap(pair, whole.volume, sums.area) else { return Ok(None) };
-    overlap.warnings = warnings(pair, &sums, whole.volume, &within)?;
+    overlap.warnings = warnings(pair, &sums, whole.volume, (&within, is_exact))?;
     Ok(Some(assembled(pair, sums, &whole, overlap)))
 }
 
@@ -82,7 +109,7 @@ fn warnings<const D: usize>(
     pair: &Pair<D>,
     sums: &FacetSums<D>,
     volume: f64,
-    within: &Aabb<D>,
+    (within, is_exact): (&Aabb<D>, bool),
 ) -> Result<Vec<Warning>, Error> {
     let ([body, obstacle], mut warnings) = (pair.partners, Vec::new());
     // Without facets inside the obstacle there is no force. What touches has a volume too, by rounding.
@@ -91,6 +118,7 @@ fn warnings<const D: usize>(
     }
     warnings.extend(curved_faces(pair, &sums.facets, None));
     if let Counterpart::Implicit(side) = &pair.counterpart
+        && !is_exact
         && let ImplicitShape::Function(function) = side.shape
         && let Some(slopes) = slopes_at_surface(function.as_ref(), side, &pair.a.aabb)?
         && (slopes[0] < GENTLE || slopes[1] < ALL_GENTLE)
@@ -112,7 +140,7 @@ fn in_convex_solid<const D: usize>(
         for &facet in facets {
             if let Some(facet) = BodyFacet::new(pair.surface, &pair.a, facet) {
                 let weighting = pair.weighting;
-                let moments = facet_moments(solid, (&facet, weighting), rounding, request.second, &mut work);
+                let moments = facet_moments(solid, (&facet, weighting), (0.0, rounding), request.second, &mut work);
                 sums.add(&facet, &moments, request, weighting);
             }
         }

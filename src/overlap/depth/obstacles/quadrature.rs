@@ -102,12 +102,11 @@ pub(crate) fn over_volume<const D: usize>(
         let corners = &roots[root as usize].corners;
         let x = (0..=D).fold(Vector::zeros(), |x, c| x + corners[c] * w[c]);
         let weighted = part * pair.weighting.at(&x);
-        *sum += DepthSum { volume: weighted, depth: weighted * -at.phi, bare_depth: part * -at.phi };
+        *sum += DepthSum { volume: weighted, depth: weighted * -at.phi, bare_depth: part * -at.phi, bare_volume: part };
     };
     let found = Adaptive { pair, distance, dimension: D, tolerance: TOLERANCES[D - 1], integrand }.integrals(&roots)?;
     Ok(found.iter().zip(&signs).fold(DepthSum::default(), |mut sums, (found, measure)| {
-        let [volume, depth, bare_depth] = [found.volume, found.depth, found.bare_depth].map(|sum| sum * measure);
-        sums += DepthSum { volume, depth, bare_depth };
+        sums += found.times(*measure);
         sums
     }))
 }
