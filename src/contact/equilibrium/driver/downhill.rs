@@ -23,6 +23,12 @@ const FULL_BELOW: f64 = 0.1;
 /// Residual by the forces below which friction has the pressure of now.
 const CURRENT_BELOW: f64 = 0.05;
 
+/// A residual of which less than this part is left comes nearer.
+const NEARER: f64 = 0.9;
+
+/// Steps, one after the other, that come no nearer: friction frozen at the pressure before leads in circles, and as many steps are half as long.
+const IN_CIRCLES: usize = 6;
+
 /// Steps with frozen friction after one with that of now has led nowhere.
 const FROZEN: usize = 3;
 
@@ -35,6 +41,7 @@ pub(super) async fn downhill<const D: usize>(
     let mut state = State::at(&search.host, start.to_vec(), true).await?;
     let mut shift = first_shift(search, &state);
     let (mut trail, mut frozen_for) = (Vec::new(), 0usize);
+    let (mut nearest, mut since) = (f64::INFINITY, 0);
     for tried in 0..=MOST {
         let verdict;
         (state, verdict) = search.judged(state).await?;
@@ -56,7 +63,13 @@ pub(super) async fn downhill<const D: usize>(
             search.host.contact(|contact| contact.release_friction()).await;
         }
         frozen_for = frozen_for.saturating_sub(1);
+        let relative = search.balance.relative();
+        (nearest, since) = if relative < NEARER * nearest { (relative, 0) } else { (nearest, since + 1) };
         match stepped? {
+            Some(x) if is_frozen && since / IN_CIRCLES % 2 == 1 => {
+                let x = moved(&state.x, 0.5, &moved(&x, -1.0, &state.x));
+                state = State::at(&search.host, x, true).await?;
+            }
             Some(x) => state = State::at(&search.host, x, true).await?,
             None => frozen_for = FROZEN,
         }
