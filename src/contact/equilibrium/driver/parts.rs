@@ -18,10 +18,19 @@ use super::unknowns::{largest, moved};
 use super::within_facets::within_facets;
 use crate::Error;
 use crate::contact::changes::friction_steps::take_up;
+use crate::contact::equilibrium::augmentation::AllMultipliers;
+use crate::contact::evaluation::Contact;
+use crate::contact::history::Begun;
 use crate::contact::tangents::TangentPart;
 
 /// Smallest part of a load step.
 const SMALLEST: f64 = 1.0 / 64.0;
+
+/// The same where a state is in doubt.
+const SMALLEST_OF_DOUBT: f64 = 1.0 / 8.0;
+
+/// Penetration by the smallest facet from which on a state is in doubt.
+const DOUBTFUL: f64 = 0.25;
 
 /// Times that a step of what is prescribed is halved, where it turns a cell inside out.
 const HALVINGS: usize = 8;
@@ -54,8 +63,12 @@ pub(super) async fn in_parts<const D: usize>(search: &mut Search<D>, step: &Load
         // What did not balance at the start is taken off little by little.
         search.host.set_offset(start.residual.iter().map(|force| (1.0 - until) * force).collect());
         let target = moved(&step.x, until, &step.moved);
-        let begun = search.host.contact(|contact| contact.history.begun()).await;
+        let begun = search.host.contact(|contact| (contact.history.begun(), contact.all_multipliers())).await;
         match led(search, &x, (&target, until == 1.0), &mut counts).await {
+            Ok(reached) if part > SMALLEST_OF_DOUBT && search.may_go_on() && is_doubtful(search, &reached).await => {
+                part *= 0.5;
+                search.host.contact(|contact| go_back(contact, begun)).await;
+            }
             Ok(reached) if until == 1.0 => return finished(search, reached, &counts).await,
             Ok(reached) => {
                 (x, done) = (reached.state.x, until);
@@ -66,10 +79,23 @@ pub(super) async fn in_parts<const D: usize>(search: &mut Search<D>, step: &Load
             Err(trouble) => {
                 counts.trouble = Some(trouble.to_string());
                 part *= 0.5;
-                search.host.contact(|contact| take_up(contact, begun)).await;
+                search.host.contact(|contact| take_up(contact, begun.0)).await;
             }
         }
     }
+}
+
+/// Whether a state may be an equilibrium that nobody looks for, with a corner through what it stands on: a stiffness from the bodies lets them
+/// penetrate by a small part of a facet, and corners that are deeper than they are thick are pushed back by less, not by more.
+async fn is_doubtful<const D: usize>(search: &Search<D>, reached: &Reached<D>) -> bool {
+    let is_found = search.host.contact(|contact| contact.layer_stiffness().is_some()).await;
+    is_found && reached.state.contact.penetration > DOUBTFUL * search.assembly.finest()
+}
+
+/// Goes on as before a part of the step.
+fn go_back<const D: usize>(contact: &mut Contact<D>, (begun, multipliers): (Begun<D>, AllMultipliers<D>)) {
+    contact.put_back_multipliers(multipliers);
+    take_up(contact, begun);
 }
 
 /// The equilibrium with unknowns that are not free at their targets, from x; whether it is the last of the step.
@@ -187,6 +213,14 @@ async fn finished<const D: usize>(
     if reached.verdict == Verdict::Rounded && left > search.options.tolerance {
         let text = format!("the residual stays at {left:.1e} of the forces: the host's own forces are rounded so far");
         search.warn(text);
+    }
+    if is_doubtful(search, &reached).await {
+        let (deep, facet) = (reached.state.contact.penetration, search.assembly.finest());
+        search.warn(format!(
+            "a corner or an edge penetrates by {deep:.1e}, {:.0} % of the smallest facet: the state may be one in which it has come through \
+             what it stands on; take smaller load steps, or refine there",
+            100.0 * deep / facet
+        ));
     }
     if let Some(text) = search.updates.left(search.assembly.finest()) {
         search.warn(text);
