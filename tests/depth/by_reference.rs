@@ -13,6 +13,7 @@ const REFERENCE: GradientRequest = GradientRequest {
     stiffness: false,
     gap_offsets: false,
     friction: false,
+    slip: false,
     positions: false,
     rotations: false,
 };
