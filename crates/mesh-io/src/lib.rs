@@ -115,7 +115,10 @@ impl Mesh {
     /// If it is damaged or has no cells; messages name lines of the text.
     pub fn of_input(input: &inp::Expanded) -> Result<Self> {
         let mesh = inp::of_text(&input.text)?;
-        ensure!(!mesh.blocks.is_empty(), "line 1: there are no elements that fill an area or a volume");
+        ensure!(
+            !mesh.blocks.is_empty(),
+            "line 1: there are no elements that fill an area or a volume; is this an input file of Abaqus or CalculiX?"
+        );
         Ok(mesh)
     }
 

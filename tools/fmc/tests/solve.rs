@@ -46,6 +46,37 @@ fn a_file_leaves_fields_of_every_step_and_a_table() {
     fs::remove_dir_all(folder).unwrap();
 }
 
+/// Steps of a run before would be shown beside those of this one.
+#[test]
+fn steps_of_a_run_before_are_removed() {
+    let folder = folder("again");
+    fs::create_dir_all(folder.join("out/model")).unwrap();
+    for name in ["step-1.vtu", "step-2.vtu", "step-two.vtu", "notes.txt"] {
+        fs::write(folder.join("out/model").join(name), "of before").unwrap();
+    }
+    assert_eq!(solve(&folder, &deck()).status.code(), Some(0));
+    let has = |name: &str| folder.join("out/model").join(name).exists();
+    assert!(has("step-1.vtu") && !has("step-2.vtu") && has("step-two.vtu") && has("notes.txt"));
+    fs::remove_dir_all(folder).unwrap();
+}
+
+/// A pressure by penetration and a wanted penetration say two things of one.
+#[test]
+fn a_penetration_beside_a_given_slope_is_refused() {
+    let folder = folder("slope");
+    let interaction = "*SURFACE INTERACTION, NAME=PRESS\n";
+    let linear = format!("{interaction}*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR\n1E6\n");
+    let text = deck().replace(interaction, &linear);
+    fs::write(folder.join("model.inp"), text).unwrap();
+    let mut program = Command::new(env!("CARGO_BIN_EXE_fmc"));
+    program.args(["solve", "model.inp", "--penetration", "1e-6"]).current_dir(&folder);
+    let refused = program.output().unwrap();
+    let told = String::from_utf8_lossy(&refused.stderr).into_owned();
+    assert_eq!(refused.status.code(), Some(2), "{told}");
+    assert!(told.contains("LINEAR gives the pressure by penetration"), "{told}");
+    fs::remove_dir_all(folder).unwrap();
+}
+
 #[test]
 fn the_status_tells_a_wrong_file_from_a_body_without_support() {
     let folder = folder("bad");

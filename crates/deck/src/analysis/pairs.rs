@@ -32,11 +32,18 @@ struct Tie {
     parts: [Part; 2],
 }
 
-/// Pressure by penetration, if the file gives it; multipliers then leave the penetration as it is, so that it holds for all pairs.
-pub(super) fn stiffness(deck: &Deck) -> Result<Option<f64>, Fault> {
+/// Pressure by penetration, if the file gives it; multipliers then leave the penetration as it is, so that it holds for all pairs. A penetration
+/// that is `wanted`, above 0, is another rule for the same.
+pub(super) fn stiffness(deck: &Deck, wanted: f64) -> Result<Option<f64>, Fault> {
     let of = |row: &PairRow| deck.interactions.get(&row.interaction).and_then(|interaction| interaction.stiffness);
     let Some(row) = deck.pairs.iter().find(|row| of(row).is_some()) else { return Ok(None) };
     let slope = of(row);
+    if wanted > 0.0 {
+        return Err(Fault::new(
+            row.line,
+            "LINEAR gives the pressure by penetration, and no penetration can be asked for beside it",
+        ));
+    }
     let is_mixed = deck.pairs.iter().any(|row| of(row) != slope) || !deck.ties.is_empty();
     match is_mixed {
         true => Err(Fault::new(row.line, "LINEAR is known for all contact pairs with one slope, and not beside *TIE")),

@@ -70,7 +70,7 @@ impl<'a, const D: usize> Analysis<'a, D> {
     /// # Errors
     /// What the file names and does not have, and what is not solved.
     pub fn new(deck: &'a Deck, options: SolveOptions) -> Result<Self, Fault> {
-        let stiffness = stiffness(deck)?.unwrap_or(0.0);
+        let stiffness = stiffness(deck, options.penetration)?.unwrap_or(0.0);
         let (places, model) = Places::with_model::<D>(deck, options.threads)?;
         let bodies = Bodies { model: &model, places: &places };
         check_surfaces(deck)?;
@@ -194,9 +194,12 @@ fn untied(error: &StaticsError, pairs: &Pairs, names: &[String]) -> Option<Fault
         return None;
     };
     let [a, b] = bodies.map(|body| names.get(body).map_or("", String::as_str));
+    let where_else = match nearest.is_finite() {
+        true => format!("the nearest faces are {nearest:.4e} apart. A larger POSITION TOLERANCE ties them"),
+        false => "no face of one looks at a face of the other. Are both surfaces on the sides that meet?".to_owned(),
+    };
     let message = format!(
-        "'{a}' and '{b}' are tied, and these surfaces face one another nowhere within {reach:.4e}: the nearest faces are {nearest:.4e} apart. A larger \
-         POSITION TOLERANCE ties them"
+        "'{a}' and '{b}' are tied, and these surfaces face one another nowhere within {reach:.4e}: {where_else}"
     );
     Some(Fault::new(*pairs.tied_by.get(bodies)?, message))
 }

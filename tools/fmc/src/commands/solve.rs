@@ -10,13 +10,13 @@ use fmc_mesh_io::write_whole;
 use fmc_solid::statics::{Equilibrium, Iteration};
 use std::io::Write;
 use std::ops::ControlFlow;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Solve an input file of Abaqus or CalculiX: bodies at rest, in contact, tied, with friction
 ///
-/// Every step leaves a VTU file for ParaView and its place in an FRD file for cgx. What the file has and is not known is named with its
+/// Every step leaves a VTU file for ParaView and its place in an FRD file for cgx; those of a run before are removed. What the file has and is not known is named with its
 /// line. Ctrl-C stops it; steps that were solved stay.
 #[derive(clap::Args, Clone, Debug)]
 #[command(after_help = "Examples:\n  \
@@ -68,6 +68,7 @@ fn run_in<const D: usize>(args: &SolveArgs, deck: &Deck, stop: &AtomicBool) -> R
     let out = args.out.clone().unwrap_or_else(|| PathBuf::from("out").join(&stem));
     let _lock = folder::taken(&out)?;
     std::fs::create_dir_all(&out).with_context(|| format!("{} cannot be made", out.display()))?;
+    no_old_steps(&out, &stem)?;
     if !args.quiet {
         for note in &analysis.notes {
             eprintln!("note: {}", deck.located(&Fault::new(note.line, note.message.as_str())));
@@ -112,4 +113,20 @@ fn run_in<const D: usize>(args: &SolveArgs, deck: &Deck, stop: &AtomicBool) -> R
             Ok(ExitCode::from(1))
         }
     }
+}
+
+/// Takes away results of a run before, of which ParaView would show steps as if they were of this one.
+fn no_old_steps(out: &Path, stem: &str) -> Result<()> {
+    let is_step = |name: &str| {
+        let number = name.strip_prefix("step-").and_then(|rest| rest.strip_suffix(".vtu"));
+        number.is_some_and(|number| number.parse::<usize>().is_ok()) || name == format!("{stem}.frd")
+    };
+    let found = std::fs::read_dir(out).with_context(|| format!("{} cannot be read", out.display()))?;
+    for entry in found {
+        let path = entry?.path();
+        if path.file_name().and_then(|name| name.to_str()).is_some_and(is_step) {
+            std::fs::remove_file(&path).with_context(|| format!("{} cannot be removed", path.display()))?;
+        }
+    }
+    Ok(())
 }
