@@ -8,6 +8,9 @@ use crate::geometry::nearest_on_facet::nearest;
 use crate::overlap::pair::obstacle_distance::{Distance, ObstacleDistance, signed};
 use crate::overlap::pair::sides::{Counterpart, Pair};
 
+/// Part of the reach within which the nearest facet is sought first.
+const SHORT: f64 = 1.0 / 16.0;
+
 /// The surface of one side, as the other sees it.
 pub(crate) struct NearSurface<'a, const D: usize> {
     pair: &'a Pair<'a, D>,
@@ -62,7 +65,8 @@ impl<'a, const D: usize> NearSurface<'a, D> {
         let side = self.pair.side(self.of_b);
         let is_inside = side.winding_number(x) != 0;
         let is_rigid = self.of_b && self.pair.pose.is_some();
-        let mut radius = self.reach;
+        // Most points that are within a large reach are far nearer than that.
+        let mut radius = SHORT * self.reach;
         loop {
             let around = Aabb { min: *x, max: *x }.inflated(radius);
             let mut best = (f64::INFINITY, Vector::zeros(), 0, [0.0; D]);
@@ -80,6 +84,10 @@ impl<'a, const D: usize> NearSurface<'a, D> {
                 let foot = (!is_rigid).then(|| (side.facets[facet as usize], weights));
                 let height = if is_rigid { 0.0 } else { self.pair.height(self.of_b, facet, &weights) };
                 return Some(Nearest { distance, foot, height });
+            }
+            if radius < self.reach {
+                radius = (4.0 * radius).min(self.reach);
+                continue;
             }
             // A point inside is as deep as it is; beyond the box there is no more to find.
             if !is_inside || around.contains(&side.aabb) {
