@@ -2,7 +2,7 @@
 //!
 //! `parts` (the parts of a contact) · `bring`, `state` (the bodies at the coordinates, and what is remembered of them) · `walk` (which pairs may
 //! overlap, and on which threads they are measured) · `needed`, `gathered` (of some cells of a larger mesh: where none may be
-//! missing; `layer`: how near) · `sliding` (how a pair slides) · `measured` (what laws and friction answer) ·
+//! missing; `layer`: how near) · `sliding` (how a pair slides), `slip_facets` (where) · `measured` (what laws and friction answer) ·
 //! `gradients` (derivatives) · `flux`, `friction_heat` (of scalar fields) · `kernels` (the evaluations, compiled for 2D and for 3D) · `agreed` (what ranks must have
 //! in common)
 
@@ -20,6 +20,7 @@ mod needed;
 mod parts;
 mod points;
 mod sliding;
+mod slip_facets;
 mod state;
 mod walk;
 

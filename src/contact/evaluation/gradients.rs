@@ -1,10 +1,10 @@
 //! Derivatives of energy and forces.
 
-use super::kernels::slip_facets_in;
 use super::measured::measured_pairs;
 use super::parts::Contact;
 use super::points::Points;
 use super::sliding::check_ready;
+use super::slip_facets::slip_facets_in;
 use super::walk::for_each_pair;
 use crate::Error;
 use crate::contact::derivatives::{GradientRequest, Gradients, Seeds, SlipSeeds, State, add_answers, add_sliders};

@@ -7,6 +7,7 @@ use super::measured::measured_pairs;
 use super::parts::Contact;
 use super::points::{Points, moved_out};
 use super::sliding::{check_ready, sliding};
+use super::slip_facets::slip_facets_in;
 use super::walk::{for_each_pair, for_each_pair_within};
 use crate::Error;
 use crate::contact::derivatives::{GradientRequest, Gradients, SlipSeeds};
@@ -252,20 +253,6 @@ fn evaluate_tangent_in<const D: usize>(
         answers.into_iter().map(|answer| (answer.energy, answer.tangent)).unzip();
     let forces = forces_of(contact, coords, energies.into_iter().flatten(), &tractions)?;
     Ok((forces, tangent_of(tangents.into_iter().flatten(), tractions)?))
-}
-
-/// All facets on which friction acts, by pair.
-pub(super) fn slip_facets_in<const D: usize>(
-    contact: &Contact<D>,
-    coords: &Points<D>,
-) -> Result<SlipFacetsByPair<D>, Error> {
-    check_ready(contact)?;
-    let asked = Asked { slides: true, ..Asked::default() };
-    for_each_pair(contact, coords, |measured| {
-        let Some(sliding) = sliding(contact, coords, measured)? else { return Ok(None) };
-        let answer = measured.law.measure(measured, &asked)?;
-        Ok(answer.map(|answer| SlipFacets::new(measured, &sliding, &answer.points)))
-    })
 }
 
 fn stable_step_in<const D: usize>(contact: &Contact<D>, coords: &Points<D>, masses: &[f64]) -> Result<f64, Error> {
