@@ -2,6 +2,7 @@
 
 use super::elastic::deformed;
 use super::falling::Falling;
+use super::host::Host;
 use super::search::Search;
 use super::state::State;
 use super::trouble::Trouble;
@@ -14,7 +15,8 @@ const CHANGED: f64 = 1e-2;
 /// Lets multipliers fall with the load where a step begins: those of a load that is gone would press and pull on bodies that nothing else
 /// holds. The load was K u less the contact forces of the equilibrium where the step begins, and is K u less the internal forces now; what
 /// is left of it is its part along what it was. Updates find what is wrong with this guess. An end without load has no forces to measure
-/// residuals by: those of the equilibrium where the step begins do.
+/// residuals by: those of the equilibrium where the step begins do. Where all forces are what coordinates are rounded to, nothing is left of
+/// the load for which the multipliers were.
 pub(super) async fn falling_load<const D: usize>(search: &mut Search<D>, start: State<D>) -> Result<State<D>, Trouble> {
     let host = &search.host;
     search.unloaded = is_gone(search, &start).await?;
@@ -24,6 +26,10 @@ pub(super) async fn falling_load<const D: usize>(search: &mut Search<D>, start: 
     let has_any = has_any.await;
     if !(has_any || search.has_friction) || start.norm(host) <= CHANGED * norm(&start.forces) {
         return Ok(start);
+    }
+    let rounding = search.balance.rounding(host, &search.assembly, &start).await?;
+    if start.scale(&rounding.of_coordinates) == 0.0 {
+        return if has_any { let_go(host, start, 0.0).await } else { Ok(start) };
     }
     let (displaced, _) = deformed(host, &start.x).await?;
     let bodies = host.product(displaced, false).await?;
@@ -43,7 +49,11 @@ pub(super) async fn falling_load<const D: usize>(search: &mut Search<D>, start: 
     if !has_any {
         return Ok(start);
     }
-    let host = &search.host;
-    host.contact(move |contact| contact.scale_multipliers(part.max(0.0))).await;
+    let_go(&search.host, start, part.max(0.0)).await
+}
+
+/// The start with a part of the multipliers.
+async fn let_go<const D: usize>(host: &Host<D>, start: State<D>, part: f64) -> Result<State<D>, Trouble> {
+    host.contact(move |contact| contact.scale_multipliers(part)).await;
     start.again(host).await
 }
