@@ -21,7 +21,9 @@ use crate::contact::changes::friction_steps::take_up;
 use crate::contact::equilibrium::augmentation::AllMultipliers;
 use crate::contact::evaluation::Contact;
 use crate::contact::history::Begun;
+use crate::contact::results::PairForces;
 use crate::contact::tangents::TangentPart;
+use crate::overlap::Partner;
 
 /// Smallest part of a load step.
 const SMALLEST: f64 = 1.0 / 64.0;
@@ -29,7 +31,7 @@ const SMALLEST: f64 = 1.0 / 64.0;
 /// The same where a state is in doubt.
 const SMALLEST_OF_DOUBT: f64 = 1.0 / 8.0;
 
-/// Penetration by the smallest facet from which on a state is in doubt.
+/// Penetration by a facet of either body from which on a state is in doubt.
 const DOUBTFUL: f64 = 0.25;
 
 /// Times that a step of what is prescribed is halved, where it turns a cell inside out.
@@ -65,7 +67,9 @@ pub(super) async fn in_parts<const D: usize>(search: &mut Search<D>, step: &Load
         let target = moved(&step.x, until, &step.moved);
         let begun = search.host.contact(|contact| (contact.history.begun(), contact.all_multipliers())).await;
         match led(search, &x, (&target, until == 1.0), &mut counts).await {
-            Ok(reached) if part > SMALLEST_OF_DOUBT && search.may_go_on() && is_doubtful(search, &reached).await => {
+            Ok(reached)
+                if part > SMALLEST_OF_DOUBT && search.may_go_on() && !doubtful(search, &reached).await.is_empty() =>
+            {
                 part *= 0.5;
                 search.host.contact(|contact| go_back(contact, begun)).await;
             }
@@ -85,11 +89,30 @@ pub(super) async fn in_parts<const D: usize>(search: &mut Search<D>, step: &Load
     }
 }
 
-/// Whether a state may be an equilibrium that nobody looks for, with a corner through what it stands on: a stiffness from the bodies lets them
-/// penetrate by a small part of a facet, and corners that are deeper than they are thick are pushed back by less, not by more.
-async fn is_doubtful<const D: usize>(search: &Search<D>, reached: &Reached<D>) -> bool {
-    let is_found = search.host.contact(|contact| contact.layer_stiffness().is_some()).await;
-    is_found && reached.state.contact.penetration > DOUBTFUL * search.assembly.finest()
+/// Pairs in a state that may be an equilibrium that nobody looks for, with a corner through what it stands on: a stiffness from the bodies lets
+/// them penetrate by a small part of a facet, and corners that are deeper than they are thick are pushed back by less, not by more.
+async fn doubtful<const D: usize>(search: &Search<D>, reached: &Reached<D>) -> Vec<String> {
+    let assembly = &search.assembly;
+    if !search.host.contact(|contact| contact.layer_stiffness().is_some()).await {
+        return Vec::new();
+    }
+    let facet = |partner: Partner| match partner {
+        Partner::Body(body) => assembly.facet_size[body],
+        Partner::Obstacle(_) => 0.0,
+    };
+    let said = |pair: &PairForces| {
+        let (deep, facet) = (pair.penetration, facet(pair.a).max(facet(pair.b)));
+        (deep > DOUBTFUL * facet).then(|| {
+            format!(
+                "{} and {} penetrate by {deep:.1e}, {:.0} % of a facet: a corner may have come through what it stands on; take smaller load \
+                 steps, or refine there",
+                assembly.name(pair.a),
+                assembly.name(pair.b),
+                100.0 * deep / facet
+            )
+        })
+    };
+    reached.state.contact.pairs.iter().filter_map(said).collect()
 }
 
 /// Goes on as before a part of the step.
@@ -214,13 +237,8 @@ async fn finished<const D: usize>(
         let text = format!("the residual stays at {left:.1e} of the forces: the host's own forces are rounded so far");
         search.warn(text);
     }
-    if is_doubtful(search, &reached).await {
-        let (deep, facet) = (reached.state.contact.penetration, search.assembly.finest());
-        search.warn(format!(
-            "a corner or an edge penetrates by {deep:.1e}, {:.0} % of the smallest facet: the state may be one in which it has come through \
-             what it stands on; take smaller load steps, or refine there",
-            100.0 * deep / facet
-        ));
+    for text in doubtful(search, &reached).await {
+        search.warn(text);
     }
     if let Some(text) = search.updates.left(search.assembly.finest()) {
         search.warn(text);
