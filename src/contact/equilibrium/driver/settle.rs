@@ -67,11 +67,15 @@ pub(super) struct Settled {
 /// From x, whose matrix the host has. The step that has begun stays as it is.
 pub(super) async fn settle<const D: usize>(search: &Search<D>, start: &[f64]) -> Result<Settled, Trouble> {
     let Search { host, motions, has_friction, .. } = search;
+    if motions.is_empty() {
+        return Ok(Settled { x: start.to_vec(), steps: 0, is_anew: false });
+    }
+    let rounding = rounding_along(search, start).await?;
     let ways = [OnTheWay::Slips, OnTheWay::None, OnTheWay::Sticks];
     let mut first = None;
     for friction in ways.into_iter().take(if *has_friction { ways.len() } else { 1 }) {
         let begun = host.contact(|contact| contact.history.begun()).await;
-        let tried = attempt(search, start, friction).await;
+        let tried = attempt(search, (start, &rounding), friction).await;
         host.contact(|contact| take_up(contact, begun)).await;
         match tried {
             Ok(settled) => return Ok(settled),
@@ -96,25 +100,25 @@ enum OnTheWay {
     Sticks,
 }
 
-async fn attempt<const D: usize>(search: &Search<D>, start: &[f64], friction: OnTheWay) -> Result<Settled, Trouble> {
+async fn attempt<const D: usize>(
+    search: &Search<D>,
+    (start, rounding): (&[f64], &DVector<f64>),
+    friction: OnTheWay,
+) -> Result<Settled, Trouble> {
     let Search { host, assembly, motions, has_friction, .. } = search;
     let has_friction = *has_friction;
     let mut x = start.to_vec();
     let mut is_anew = false;
-    if motions.is_empty() {
-        return Ok(Settled { x, steps: 0, is_anew });
-    }
     let (mean, turn) = motions.ways(host, assembly);
     let usual = 0.25 * assembly.thinnest();
     let (mut length, mut trail, mut worst, mut caution) = (usual, vec![x.clone()], f64::INFINITY, 1.0);
     let mut last = vec![0.0; x.len()];
-    let rounding = rounding_along(search, start).await?;
     // Bodies that fall on one another go far to and fro: slip that is counted all the way seldom lets them rest.
     let is_counted = has_friction && friction == OnTheWay::Slips;
     let by_bodies = if is_counted { 0 } else { BY_BODY * assembly.rows.len() };
     for steps in 0..MOST.max(by_bodies) {
         let mut state = State::at(host, x.clone(), false).await?;
-        let (mut load, mut parts) = resultants(search, &rounding, &state);
+        let (mut load, mut parts) = resultants(search, rounding, &state);
         worst = parts.iter().copied().fold(0.0, f64::max);
         if worst <= LEFT {
             return Ok(Settled { x, steps, is_anew });
@@ -126,7 +130,7 @@ async fn attempt<const D: usize>(search: &Search<D>, start: &[f64], friction: On
             host.contact(move |contact| contact.begin_step(&coords)).await?;
             is_anew = true;
             state = state.again(host).await?;
-            (load, parts) = resultants(search, &rounding, &state);
+            (load, parts) = resultants(search, rounding, &state);
         }
         if largest(&moved(&x, -1.0, start)) > FARTHEST * assembly.size {
             let text = format!("nothing stops it within {FARTHEST} sizes of the assembly");
