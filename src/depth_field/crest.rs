@@ -22,11 +22,16 @@ impl Crest {
     /// already, if there is one inner face only, or if the simplex is flat.
     pub(super) fn new<const D: usize>(corners: &[Vector<D>; 4], facets: u8, inner: u8) -> Option<Self> {
         let ((above, height), (below, depth)) = (incentre(corners, facets)?, incentre(corners, inner)?);
-        let part = f64::from(facets.count_ones()) / D as f64;
+        let part = Self::part::<D>(facets);
         // Heights are inverse to sums of areas, and so to parts of the incentre.
         let of_incentre = depth / (height + depth);
         // With one inner face alone it would lie on that, which has its own point.
         (part < 1.0 && of_incentre < part * (1.0 - ROUNDING)).then_some(Self { above, below, part })
+    }
+
+    /// Part of `above` in the crest: as much as the middle of an inner face has.
+    pub(super) fn part<const D: usize>(facets: u8) -> f64 {
+        f64::from(facets.count_ones()) / D as f64
     }
 
     /// Weights of the corners.

@@ -4,6 +4,7 @@
 //! A depth is a distance |x − y| from the nearest point y of the surface, which does not slip at first order: its derivative is the unit
 //! vector from y to x, at the nodes of x and, with the other sign, at those of the facet. Where two facets are equally near it is that of one.
 
+use super::crest::Crest;
 use super::field::DepthField;
 use super::incentre::all_corners;
 use super::incentre_slopes::incentre_slopes;
@@ -80,9 +81,6 @@ impl<const D: usize> ReferenceSlopes<D> {
             Some(point) => points[point].weights,
             None => std::array::from_fn(|n| f64::from(u8::from(n == corner as usize))),
         };
-        let place = |sums: &Sums<D>, weights: &[f64; 8]| {
-            nodes.iter().zip(weights).fold(Vector::zeros(), |x, (&node, w)| x + sums.node(node) * *w)
-        };
         for (number, point) in points.iter().enumerate() {
             let (by_own_depth, by_weights) = (given.depths[nodes.len() + number], &given.weights[nodes.len() + number]);
             let origin = self.origins[given.cell as usize].get(number).copied().unwrap_or(PointOrigin::Nodes);
@@ -94,13 +92,14 @@ impl<const D: usize> ReferenceSlopes<D> {
                     }
                 }
                 PointOrigin::Distance { facet } => {
-                    let away = sums.add_facet(facet, &place(sums, &point.weights), by_own_depth);
+                    let away = sums.add_facet(facet, &sums.place(nodes, &point.weights), by_own_depth);
                     sums.add(nodes, &point.weights, &away);
                 }
                 PointOrigin::Centre { corners, facet } => {
                     let simplex = Simplex::new(nodes, corners.map(weights_of), sums);
                     let mut by_parts = simplex.by_corners(by_weights);
-                    let away = facet.map(|facet| sums.add_facet(facet, &place(sums, &point.weights), by_own_depth));
+                    let away =
+                        facet.map(|facet| sums.add_facet(facet, &sums.place(nodes, &point.weights), by_own_depth));
                     if let Some(away) = &away {
                         by_parts.iter_mut().zip(&simplex.places).for_each(|(sum, x)| *sum += away.dot(x));
                         sums.add(nodes, &point.weights, away);
@@ -110,11 +109,11 @@ impl<const D: usize> ReferenceSlopes<D> {
                 }
                 PointOrigin::Crest { corners, facets, facet } => {
                     let simplex = Simplex::new(nodes, corners.map(weights_of), sums);
-                    let away = sums.add_facet(facet, &place(sums, &point.weights), by_own_depth);
+                    let away = sums.add_facet(facet, &sums.place(nodes, &point.weights), by_own_depth);
                     sums.add(nodes, &point.weights, &away);
                     let by_corners = simplex.by_corners(by_weights);
                     let by_parts: [f64; 4] = std::array::from_fn(|k| by_corners[k] + away.dot(&simplex.places[k]));
-                    let part = f64::from(facets.count_ones()) / D as f64;
+                    let part = Crest::part::<D>(facets);
                     for (faces, part) in [(facets, part), (all_corners(D) & !facets, 1.0 - part)] {
                         let by_parts = by_parts.map(|slope| slope * part);
                         simplex.add(&incentre_slopes(&simplex.places, faces, &by_parts, 0.0), sums);
@@ -135,10 +134,7 @@ struct Simplex<'a, const D: usize> {
 
 impl<'a, const D: usize> Simplex<'a, D> {
     fn new(nodes: &'a [u32], weights: [[f64; 8]; 4], sums: &Sums<D>) -> Self {
-        let place = |weights: &[f64; 8]| {
-            nodes.iter().zip(weights).fold(Vector::zeros(), |x, (&node, w)| x + sums.node(node) * *w)
-        };
-        Self { nodes, weights, places: weights.map(|of_corner| place(&of_corner)) }
+        Self { nodes, weights, places: weights.map(|of_corner| sums.place(nodes, &of_corner)) }
     }
 
     /// What is asked by the weights of the corners, given that by the weights of the cell's nodes.
@@ -162,6 +158,10 @@ struct Sums<'a, const D: usize> {
 impl<const D: usize> Sums<'_, D> {
     fn node(&self, node: u32) -> Vector<D> {
         self.surface.reference()[node as usize].into()
+    }
+
+    fn place(&self, nodes: &[u32], weights: &[f64; 8]) -> Vector<D> {
+        nodes.iter().zip(weights).fold(Vector::zeros(), |x, (&node, w)| x + self.node(node) * *w)
     }
 
     fn add(&mut self, nodes: &[u32], weights: &[f64; 8], slope: &Vector<D>) {
