@@ -3,7 +3,7 @@
 # make bench     benchmarks
 # make figures   runs the cases that pages name; writes docs/results.json, from it the tables of README and docs, and docs/gallery.md
 # make header    include/fmc_contact.h from src/capi, and from it what Fortran, Python and the fuzz targets declare, and docs/c-reference.md
-# make site      the documentation as a static site in out/site: pages, suite, notebook, a page to try; nothing is compiled
+# make site      the documentation as a static site in out/site: pages, suite, notebooks, a page to try; nothing is compiled
 # make site-check   links, every page in a browser, and the page to try against the library; below a minute after a build
 # make paper     paper/paper.md as out/paper/paper.pdf, with pandoc and chromium
 # make book      the site with the references of Python and Rust, checked
@@ -26,6 +26,7 @@ figures-check:
 	python3 -m unittest discover benchmarks/results
 	python3 benchmarks/results check
 	.ci/c-reference check
+	.ci/notebooks check
 	paper/check.py
 	paper/figures.py check
 
@@ -38,7 +39,7 @@ paper:
 	paper/check.py
 	paper/build out/paper
 
-# The pages, the suite, the notebook and a page to try, in one style; seconds, as nothing is compiled. Formulas become MathML.
+# The pages, the suite, the notebooks and a page to try, in one style; seconds, as nothing is compiled. Formulas become MathML.
 SITE = out/site
 SITE_TOOLS = $(abspath $(TARGET))/site-tools
 

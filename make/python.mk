@@ -3,7 +3,8 @@
 # make python    the Python package, in an environment of its own under target/, and its tests
 # make python-lint   ruff over all Python, mypy --strict on the package, plain English on the pages
 # make support   docs/support.md: what the library answers for every law and feature
-# make examples  NGSolve and FElupe with contact, and the notebook, in an environment of their own
+# make examples  NGSolve and FElupe with contact, and the notebooks, in an environment of their own
+# make notebooks the tutorials as notebooks, run and stored with output and pictures
 
 PYTHON ?= python3
 VENV = $(TARGET)/python
@@ -33,10 +34,17 @@ python-lint:
 	$(LINT)/bin/ruff check .
 	cd bindings/python && $(abspath $(LINT))/bin/mypy
 
-# What is stored in the notebook is renewed with UPDATE_NOTEBOOK=1.
 EXAMPLES = $(abspath $(TARGET))/examples
+
+EXAMPLE_PACKAGES = ./bindings/python ./hosts/skfem matplotlib nbclient ipykernel pytest
 
 examples:
 	@$(call ENVIRONMENT,$(EXAMPLES))
-	$(EXAMPLES)/bin/python -m pip install -q ./bindings/python ./hosts/skfem matplotlib ngsolve felupe nbclient ipykernel pytest
+	$(EXAMPLES)/bin/python -m pip install -q $(EXAMPLE_PACKAGES) ngsolve felupe
 	$(SUITE_OF) "examples" $(EXAMPLES)/bin/python -m pytest -q -p no:cacheprovider examples/python
+
+# Pages and notebooks have the same programs: `make figures-check` compares them without running anything.
+notebooks:
+	@$(call ENVIRONMENT,$(EXAMPLES))
+	$(EXAMPLES)/bin/python -m pip install -q $(EXAMPLE_PACKAGES)
+	$(EXAMPLES)/bin/python .ci/notebooks write

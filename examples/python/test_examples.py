@@ -1,20 +1,20 @@
-"""The programs run and check themselves; the notebook prints what is stored in it.
+"""The programs run and check themselves; a notebook prints and draws what is stored in it."""
 
-With UPDATE_NOTEBOOK=1 what it prints and draws is stored instead.
-"""
-
-import os
+import json
 import subprocess
 import sys
+from importlib.machinery import SourceFileLoader
+from importlib.util import module_from_spec, spec_from_loader
 from pathlib import Path
 
-import nbformat
 import pytest
-from nbclient import NotebookClient
 
 HERE = Path(__file__).parent
 PROGRAMS = sorted(HERE.glob("*_blocks.py"))
-NOTEBOOK = HERE.parent / "first_contact.ipynb"
+sys.dont_write_bytecode = True
+loader = SourceFileLoader("made", str(HERE.parents[1] / ".ci/notebooks"))
+made = module_from_spec(spec_from_loader("made", loader))
+loader.exec_module(made)
 
 
 @pytest.mark.parametrize("path", PROGRAMS, ids=lambda path: path.stem)
@@ -32,27 +32,27 @@ def test_there_are_programs():
     assert len(PROGRAMS) == 2
 
 
-def printed(notebook):
-    """Text that the cells print, and the number of pictures that each draws."""
-    cells = [cell.outputs for cell in notebook.cells if cell.cell_type == "code"]
-    texts = ["".join(one.get("text", "") for one in outputs) for outputs in cells]
-    pictures = [sum("image/png" in one.get("data", {}) for one in outputs) for outputs in cells]
-    return texts, pictures
+@pytest.mark.parametrize(("name", "page"), made.pages().items(), ids=lambda one: one if isinstance(one, str) else "")
+def test_a_notebook_prints_and_draws_as_is_stored(name, page):
+    results = made.run(made.cells(name, page.read_text(encoding="utf-8")))
+    stored = json.loads((made.FOLDER / f"{name}.ipynb").read_text(encoding="utf-8"))["cells"]
+    stored = [made.read(cell["outputs"]) for cell in stored if cell["cell_type"] == "code"]
+    assert [len(pictures) for _, pictures in results] == [len(pictures) for _, pictures in stored]
+    for (text, _), (kept, _) in zip(results, stored):
+        assert not made.differs(kept, text) if kept else not text
 
 
-def without_times(notebook):
-    for cell in notebook.cells:
-        cell.metadata.pop("execution", None)
-    notebook.metadata = {"kernelspec": notebook.metadata["kernelspec"], "language_info": {"name": "python"}}
-    return notebook
+def test_every_tutorial_in_python_has_a_notebook():
+    tutorials = {page.stem for page in made.DOCS.glob("tutorial-*.md") if "```python\n" in page.read_text(encoding="utf-8")}
+    assert tutorials | {"first-contact", "starts"} == set(made.pages())
 
 
-def test_the_notebook_prints_what_is_stored_in_it():
-    stored = nbformat.read(NOTEBOOK, 4)
-    run = nbformat.read(NOTEBOOK, 4)
-    NotebookClient(run, timeout=300, kernel_name="python3").execute(cwd=HERE.parent)
-    if os.environ.get("UPDATE_NOTEBOOK"):
-        nbformat.write(without_times(run), NOTEBOOK)
-        stored = run
-    assert printed(run) == printed(stored)
-    assert sum(printed(stored)[1]) == 3
+def test_a_page_becomes_cells():
+    page = (
+        "# Title\n\nA [notebook](../examples/notebooks/x.ipynb).\n\n```math\na\n```\n\n```python\nimport matplotlib\n```\n\n```output\n1\n```\n\n"
+        f"![Drawn](x.svg)\n\nSee [there](y.md#z).\n\n## C\n\n{made.LEFT_OUT}\n\n```c\nint x;\n```\n\n## End\n\n![Kept](k.svg)\n"
+    )
+    title, program, text = made.cells("x", page)
+    assert "docs/x.md" in title[1] and "pip install matplotlib" in title[1] and "$$\na\n$$" in title[1]
+    assert program == ["code", "import matplotlib", "1\n", "x.svg"]
+    assert text[1] == "See [there](../../docs/y.md#z).\n\n## End\n\n![Kept](../../docs/k.svg)"

@@ -1,1 +1,1 @@
-"""The static site: pages of docs, the suite, the notebook and a page to try, in one style."""
+"""The static site: pages of docs, the suite, the notebooks and a page to try, in one style."""

@@ -14,7 +14,6 @@ from pygments.formatters import HtmlFormatter
 from .contents import ROOT, Links, contents
 from .layout import whole
 from .markdown import Rendered
-from .notebook import as_markdown
 from .suite import problems
 
 ASSETS = ROOT / "tools/site/assets"
@@ -39,7 +38,7 @@ def main():
     links = Links(pages, repository, revision, (out / "reference/python").is_dir())
     words = []
     for page in pages:
-        text = page.source.read_text(encoding="utf-8") if page.source.suffix == ".md" else as_markdown(page.source)
+        text = page.source.read_text(encoding="utf-8")
         if page.name == "suite-results":
             text += problems(text)
         rendered = Rendered(text, page.source, links)
@@ -49,9 +48,9 @@ def main():
     with (out / "assets/style.css").open("a", encoding="utf-8") as style:
         style.write(colours())
     (out / "assets/words.js").write_text(f"const WORDS = {json.dumps(words, ensure_ascii=False)};\n", encoding="utf-8")
-    (out / "pictures").mkdir()
     for name, file in links.copied.items():
-        shutil.copyfile(file, out / "pictures" / name)
+        (out / name).parent.mkdir(exist_ok=True)
+        shutil.copyfile(file, out / name)
     print(f"{len(pages)} pages in {out}")
 
 

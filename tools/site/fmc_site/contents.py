@@ -8,7 +8,6 @@ ROOT = Path(__file__).resolve().parents[3]
 
 # Pages that are not in docs, by the page that they follow.
 EXTRA = {
-    "first-contact.md": ("examples/first_contact.ipynb", "The notebook", "notebook"),
     "choosing.md": ("tools/site/pages/try.md", "Try the law depth", "try"),
     "comparison.md": ("suite/README.md", "Suite: several codes", "suite"),
     "suite": ("suite/results.md", "Suite: results", "suite-results"),
@@ -47,7 +46,7 @@ def contents():
 
 
 class Links:
-    """Where links of a page lead in the site: to a page, a picture that is copied, or a file of the repository."""
+    """Where links of a page lead in the site: to a page, a picture or a notebook that is copied, or a file of the repository."""
 
     def __init__(self, pages, repository, revision, references):
         self.by_source = {page.source.resolve(): page for page in pages}
@@ -65,9 +64,10 @@ class Links:
         anchor = f"#{anchor}" if anchor else ""
         if file in self.by_source:
             return f"{self.by_source[file].name}.html{anchor}"
-        if is_picture:
-            self.copied[file.name] = file
-            return f"pictures/{file.name}"
+        if is_picture or file.suffix == ".ipynb":
+            kept = f"{'pictures' if is_picture else 'notebooks'}/{file.name}"
+            self.copied[kept] = file
+            return kept
         if file == ROOT / "README.md" and not anchor:
             return "index.html"
         return f"{self.repository}/tree/{self.revision}/{file.relative_to(ROOT)}{anchor}"
