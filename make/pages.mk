@@ -3,8 +3,9 @@
 # make bench     benchmarks
 # make figures   runs the cases that pages name; writes docs/results.json, from it the tables of README and docs, and docs/gallery.md
 # make header    include/fmc_contact.h from src/capi, and from it what Fortran, Python and the fuzz targets declare, and docs/c-reference.md
+# make pictures  docs/*.svg that explain one idea each, computed by the library; seconds
 # make site      the documentation as a static site in out/site: pages, suite, notebooks, a page to try; nothing is compiled
-# make site-check   links, every page in a browser, and the page to try against the library; below a minute after a build
+# make site-check   links, every page in a browser, pictures and the page to try against the library; below a minute after a build
 # make paper     paper/paper.md as out/paper/paper.pdf, with pandoc and chromium
 # make book      the site with the references of Python and Rust, checked
 
@@ -48,6 +49,14 @@ site:
 	@$(SITE_TOOLS)/bin/python -m pip install -q 'markdown-it-py>=3,<5' 'Pygments>=2.17' 'latex2mathml>=3.77,<4' numpy scipy
 	PYTHONPATH=tools/site:suite $(SITE_TOOLS)/bin/python -m fmc_site $(SITE) $(REPOSITORY) $(REVISION)
 
+PICTURES = PYTHONPATH=tools/pictures:bindings/python/src FMC_CONTACT_LIBRARY=$(LIBRARY_OF_SITE) $(SITE_TOOLS)/bin/python -m fmc_pictures
+
+pictures:
+	@$(call ENVIRONMENT,$(SITE_TOOLS))
+	$(if $(FMC_CONTACT_LIBRARY),,$(MAKE) build)
+	@$(SITE_TOOLS)/bin/python -m pip install -q numpy scipy typing_extensions
+	$(PICTURES) write
+
 # Links and anchors; every page in a browser, as wide as a telephone; the page to try, against the library.
 site-check: TOOLS = chromium:chromium
 site-check: site
@@ -57,6 +66,7 @@ site-check: site
 	$(if $(FMC_CONTACT_LIBRARY),,$(MAKE) build)
 	@$(SITE_TOOLS)/bin/python -m pip install -q typing_extensions
 	PYTHONPATH=bindings/python/src FMC_CONTACT_LIBRARY=$(LIBRARY_OF_SITE) $(SITE_TOOLS)/bin/python tools/site/compare.py $(SITE)
+	$(PICTURES) check
 
 # Another library may be given; else the one of this checkout is built, in no time where it is there.
 LIBRARY_OF_SITE = $(or $(FMC_CONTACT_LIBRARY),$(abspath $(BUILT))/libfmc_contact.so)

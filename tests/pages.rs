@@ -88,6 +88,20 @@ fn the_site_has_every_page_once() {
     assert_eq!(listed, pages);
 }
 
+/// A picture that no page shows is old. `fibers.svg` is part of the report of `fmc`.
+#[test]
+fn every_picture_is_shown() {
+    let mut texts = fs::read_to_string(root().join("paper/paper.md")).expect("the paper");
+    in_docs().iter().for_each(|page| texts += &fs::read_to_string(page).expect("a page"));
+    let entries = fs::read_dir(root().join("docs")).expect("docs").map(|entry| entry.expect("an entry").file_name());
+    let names = entries.map(|name| name.to_string_lossy().into_owned());
+    let is_picture = |name: &String| [".svg", ".png", ".gif"].iter().any(|ending| name.ends_with(ending));
+    let pictures: Vec<String> = names.filter(is_picture).collect();
+    assert!(pictures.len() > 15, "{}", pictures.len());
+    let is_old = |name: &&String| *name != "fibers.svg" && !texts.contains(&format!("{name})"));
+    assert_eq!(pictures.iter().filter(is_old).collect::<Vec<_>>(), Vec::<&String>::new());
+}
+
 /// One page that is read in five minutes.
 #[test]
 fn the_readme_is_short() {
