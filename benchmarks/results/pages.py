@@ -3,6 +3,7 @@
 import re
 from pathlib import Path
 
+import case_keys
 import fields
 import penetration
 
@@ -10,7 +11,13 @@ import hosts
 
 ROOT = Path(__file__).parents[2]
 TABLES = Path(__file__).parent / "tables"
-BUILT = {"hosts": hosts.table, "penetration": penetration.table, "beside": penetration.beside}
+BUILT = {
+    "hosts": hosts.table,
+    "penetration": penetration.table,
+    "beside": penetration.beside,
+    "case-keys": case_keys.keys,
+    "case-example": case_keys.example,
+}
 BLOCK = re.compile(r"(<!-- begin: ([\w-]+) -->\n)(.*?)(<!-- end -->\n)", re.S)
 
 

@@ -10,17 +10,17 @@ use std::path::PathBuf;
 pub struct Body {
     /// Name, unique among bodies and obstacles.
     pub name: String,
-    /// Where its mesh comes from.
+    /// Its mesh: a shape, or a file.
     pub mesh: MeshSource,
-    /// What it is made of.
+    /// Its material.
     pub material: Material,
     /// Velocity of every node at the start, `[D]`, in m/s; zero if absent.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub initial_velocity: Option<Vec<f64>>,
-    /// Lean of the inner lines of a block, by its width; see `Mesh::skewed`.
+    /// Inclination of the inner lines of a block, relative to its width. It makes an irregular mesh.
     #[serde(default)]
     pub skew: f64,
-    /// Turn about the origin before `position` is added, in degrees: counter-clockwise in 2D; about z in 3D.
+    /// Rotation about the origin, before `position` is added, in degrees: counter-clockwise in 2D, about z in 3D.
     #[serde(default)]
     pub rotation: f64,
     /// Shift of the mesh, `[D]`, in m.
@@ -106,10 +106,10 @@ impl CellKind {
     }
 }
 
-/// `mesh`: a generator of `fmc-shapes` with its arguments, or a file. Lengths in m.
+/// `mesh`: a shape with its measures, or a file. Lengths in m.
 ///
-/// Where a shape has cells of first order it has those of second order too: the same, skewed if the body is, with nodes in the middle of
-/// their edges, straight but for the edges of discs and balls, whose middles are on the circle or sphere.
+/// A shape that has cells of first order has the same cells of second order too, with nodes in the middle of their edges. The edges are
+/// straight. Edges on the surface of a disc or ball are curved: their middles lie on the circle or sphere.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(tag = "shape", rename_all = "kebab-case", rename_all_fields = "snake_case", deny_unknown_fields)]
 pub enum MeshSource {
@@ -174,7 +174,7 @@ pub enum MeshSource {
         finest: f64,
         /// Distance from the tip up to which they are that fine.
         fine_to: f64,
-        /// What the size of the cells grows by per length beyond.
+        /// Growth of the cell size per length beyond.
         growth: f64,
     },
     /// Box with faces across the axes; `tet4` or `hex8`.
@@ -203,7 +203,7 @@ pub enum MeshSource {
         cell: CellKind,
         /// Radius.
         radius: f64,
-        /// Times that the icosahedron on its surface is refined.
+        /// Number of refinements of the icosahedron on its surface.
         level: usize,
         /// Layers from the centre to the surface.
         layers: usize,
@@ -214,11 +214,11 @@ pub enum MeshSource {
         cell: CellKind,
         /// Sides, `[D]`.
         size: Vec<f64>,
-        /// Side of the core of equal cells.
+        /// Side of the core, which has equal cells.
         fine: f64,
         /// Cells along a side of the core.
         cells: usize,
-        /// Layers of cells about it.
+        /// Layers of cells around the core.
         shells: usize,
     },
     /// Quarter x, y ≥ 0 of a half-ball, its pole at the origin and its flat side at z = `radius`, fine at the pole; `tet4`.
@@ -236,7 +236,7 @@ pub enum MeshSource {
     File {
         /// Path, from the folder of the case file.
         path: PathBuf,
-        /// Only the cells of this physical group, by name or number; all if absent.
+        /// Physical group whose cells are taken, by name or number; all cells if absent.
         #[serde(default, skip_serializing_if = "Option::is_none")]
         group: Option<String>,
     },

@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 
 /// `[contact]`
 ///
-/// How fibers are laid may be said of a case that is measured exactly: it holds once the estimator is changed.
+/// Options of fibers may stand in a case that is measured exactly. They hold if the estimator is changed.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Contact {
@@ -22,29 +22,29 @@ pub struct Contact {
     /// Exponent m of `volume`, at least 1.
     #[serde(default = "one")]
     pub exponent: f64,
-    /// Coefficient of Coulomb friction, at least 0; none if absent. With the law `volume` if it is
-    /// measured exactly and has a `friction_stiffness`.
+    /// Coefficient of Coulomb friction, at least 0. The law `volume` needs the estimator `exact` and
+    /// a `friction_stiffness`.
     #[serde(default, skip_serializing_if = "is_none")]
     pub friction_coefficient: f64,
-    /// Stiffness of the stick, Pa/m; that of the law if absent.
+    /// Stiffness of sticking contact, Pa/m; the stiffness of the law if absent.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub friction_stiffness: Option<f64>,
-    /// Traction that is transmitted without pressure wherever there is contact, at least 0, Pa; none if absent.
+    /// Traction without pressure, wherever there is contact, at least 0, Pa.
     #[serde(default, skip_serializing_if = "is_none")]
     pub cohesion: f64,
     /// Largest traction of friction, Pa; no limit if absent.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub shear_limit: Option<f64>,
-    /// How overlap is measured.
+    /// Measurement of the overlap.
     #[serde(default)]
     pub estimator: EstimatorName,
-    /// How fibers are laid.
+    /// Arrangement of the fibers.
     #[serde(default)]
     pub pattern: PatternName,
-    /// How several families of lines are combined.
+    /// Combination of several families of lines.
     #[serde(default)]
     pub weights: WeightsName,
-    /// About this many fibers per pair; not together with `spacing`.
+    /// Number of fibers per pair, roughly; not together with `spacing`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub fibers: Option<usize>,
     /// Distance between neighbouring fibers, m.
@@ -53,20 +53,20 @@ pub struct Contact {
     /// Length of a segment of the isotropic pattern, m.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub fiber_length: Option<f64>,
-    /// Another seed is another random shift of the fibers.
+    /// Seed of the random shift of the fibers.
     #[serde(default)]
     pub seed: u64,
-    /// Whether every time step has fibers of its own, as in the paper; those that stay conserve energy better.
+    /// Whether every time step has new fibers, as in Wang et al. Constant fibers conserve energy better.
     #[serde(default)]
     pub new_fibers_every_step: bool,
-    /// Whether the forces of a sampled overlap are corrected so that their sum and moment vanish.
+    /// Whether the forces of a sampled overlap are corrected, so that their sum and moment vanish.
     #[serde(default = "yes")]
     pub momentum_correction: bool,
-    /// Whether the gap to polygons is taken where the surface was and their force acts along y, as closed forms assume;
-    /// in 2D, of an equilibrium.
+    /// Whether the gap to polygons is taken at the undeformed surface and their force acts along y, as closed forms assume.
+    /// Equilibria in 2D only.
     #[serde(default)]
     pub linearised: bool,
-    /// Whether a body may meet itself.
+    /// Whether a body may touch itself.
     #[serde(default)]
     pub self_contact: bool,
     /// Whether an inverted cell ends the run.
@@ -80,11 +80,11 @@ pub struct Contact {
 pub enum LawName {
     /// w = k Vᵐ.
     Volume,
-    /// Energy fiber by fiber, ψ = ½ k L²: the pressure is k times the penetration.
+    /// Energy ψ = ½ k L² of each fiber: the pressure is k times the penetration.
     Fiber,
-    /// The same with ψ = k(√(L² + ε²) − ε): the pressure is k wherever there is overlap, for ε to 0; k in Pa.
+    /// The same with ψ = k(√(L² + ε²) − ε): for ε to 0 the pressure is k wherever there is overlap; k in Pa.
     FiberLinear,
-    /// w = k/2 ∫ (g_A + g_B) dx over the overlap, g the depth below a body's own surface: the pressure is k times the
+    /// w = k/2 ∫ (g_A + g_B) dx over the overlap, with g the depth below the surface of a body: the pressure is k times the
     /// penetration. Measured exactly.
     Depth,
 }
@@ -107,7 +107,7 @@ pub enum PatternName {
     /// Families of parallel lines.
     #[default]
     Lines,
-    /// Segments of random start and direction, as in the paper.
+    /// Segments of random start and direction, as in Wang et al.
     Isotropic,
 }
 

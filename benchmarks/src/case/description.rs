@@ -4,44 +4,44 @@ use super::{Body, Contact, Expected, Load, LoadSteps, Obstacle, Support, Time};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
-/// A case file, table by table. Unknown keys are errors everywhere.
+/// The keys of a case file outside of its tables.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Case {
-    /// One line.
+    /// Title, one line.
     pub title: String,
-    /// Where the problem comes from.
+    /// Source of the problem: an article and section, for example.
     pub source: String,
-    /// 2 (plane strain) or 3.
+    /// D: 2 (plane strain) or 3.
     pub dimension: usize,
-    /// The elastic bodies; the order is that of their nodes.
+    /// The elastic bodies, in the order of their nodes.
     pub bodies: Vec<Body>,
-    /// What is held.
+    /// Prescribed displacements.
     #[serde(default)]
     pub supports: Vec<Support>,
-    /// What pushes, from the start to the end.
+    /// Loads. They act from the start to the end.
     #[serde(default)]
     pub loads: Vec<Load>,
-    /// Rigid partners.
+    /// Rigid obstacles.
     #[serde(default)]
     pub obstacles: Vec<Obstacle>,
     /// Energy law and estimator.
     pub contact: Contact,
-    /// Step and duration of a motion.
+    /// Step and duration of a motion. A case has `time` or `load_steps`.
     #[serde(default, skip_serializing_if = "Time::is_absent")]
     pub time: Time,
-    /// Steps to an equilibrium, instead.
+    /// Steps to an equilibrium.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub load_steps: Option<LoadSteps>,
-    /// What is written beside the history.
+    /// Files in addition to the history.
     #[serde(default)]
     pub output: Output,
-    /// Which figures are taken from the history.
+    /// The figures that the run computes.
     pub figures: Figures,
     /// Named sets of changes.
     #[serde(default)]
     pub variants: BTreeMap<String, Variant>,
-    /// What the figures should be.
+    /// Expected figures.
     #[serde(default)]
     pub expected: Vec<Expected>,
 }
@@ -50,11 +50,11 @@ pub struct Case {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct Output {
-    /// Intervals between the fields that are written; the first shows the start.
+    /// Number of intervals between written fields. The first field shows the start.
     pub frames: u64,
-    /// Whether they also become an animation (2D only).
+    /// Whether the fields also become an animation (2D only).
     pub animation: bool,
-    /// Fibers of an equilibrium that are written, at most; of more, an even selection.
+    /// Largest number of fibers of an equilibrium that are written. Of more, an even selection is written.
     pub fibers: usize,
 }
 
@@ -62,14 +62,14 @@ pub struct Output {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Figures {
-    /// Which ones.
+    /// The set of figures.
     pub kind: FigureKind,
-    /// The body that they are about: the one that moves at the start.
+    /// The body whose figures are computed: the one that moves at the start.
     pub body: String,
-    /// Of how many copies of the model symmetry makes the whole: forces are those of all.
+    /// Number of copies of the model that symmetry joins to the whole. Forces are the sum over all copies.
     #[serde(default = "one")]
     pub copies: usize,
-    /// Pressures to compare with, `[[place, pressure], …]`, the places ascending.
+    /// Pressures to compare with, `[[place, pressure], …]`, in ascending places.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub profile: Vec<[f64; 2]>,
 }
@@ -100,11 +100,11 @@ pub enum FigureKind {
     Punch,
     /// A die that slides over a block: forces and their ripple.
     Ironing,
-    /// A body that slides on a floor until friction has stopped it: way, energy.
+    /// A body that slides on a floor until friction has stopped it: distance, energy.
     Stop,
-    /// A body that is pressed on another and pushed along: force along by force across, what sticks, what is dissipated.
+    /// A body that is pressed on another and pushed along: ratio of both forces, sticking part, dissipated energy.
     Sliding,
-    /// A body that its supports drive, and may drive back: force, work, and what of it is left over a closed path.
+    /// A body that its supports move forward, and perhaps back: force, work, and the remaining work over a closed path.
     Driven,
 }
 
@@ -112,9 +112,9 @@ pub enum FigureKind {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Variant {
-    /// One line.
+    /// Description, one line.
     pub about: String,
-    /// The keys that it changes, nested as in the file itself; entries of lists go by their name.
+    /// Changed keys, nested as in the file. Entries of lists are named by their `name`.
     pub set: toml::Table,
 }
 

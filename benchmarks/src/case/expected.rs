@@ -5,24 +5,24 @@ use serde::{Deserialize, Serialize};
 
 /// `[[expected]]`
 ///
-/// With `relative` or `absolute` it is a check, without either a number to be stated beside the figure.
+/// With `relative` or `absolute` it is a check. With neither, the value is printed next to the figure.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Expected {
-    /// Key of the figure.
+    /// Name of the figure.
     pub figure: String,
     /// Its value.
     pub value: f64,
-    /// Tolerance as a part of the value.
+    /// Tolerance, relative to the value.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub relative: Option<f64>,
     /// Tolerance in the unit of the figure.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub absolute: Option<f64>,
-    /// Who says so, and of what.
+    /// Source of the value.
     pub source: String,
-    /// Conditions: keys of the case and the value that each must have, or a list of values; and `variant`, the variant
-    /// that it is about (none if absent).
+    /// Conditions: keys of the case with the value that each must have, or a list of values. `variant` names the variant; without
+    /// it the entry is for the case itself.
     #[serde(default, skip_serializing_if = "toml::Table::is_empty")]
     pub when: toml::Table,
 }

@@ -2,22 +2,22 @@
 
 use serde::{Deserialize, Serialize};
 
-/// `[load_steps]`, in the place of `[time]`: the case is about equilibrium, and loads and prescribed displacements grow
-/// together from nothing.
+/// `[load_steps]`, instead of `[time]`: the case is about equilibrium. Loads and prescribed displacements grow
+/// together from zero.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct LoadSteps {
-    /// Equal steps that are tried; one that fails is halved.
+    /// Number of equal steps. A step that fails is halved.
     pub count: usize,
-    /// Equal steps of every further stage, in which the supports move on to the values of their `then`.
+    /// Number of equal steps of each further stage, in which the supports move to the values of their `then`.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub then: Vec<usize>,
-    /// Residual by the forces at which a state counts as balanced.
+    /// Residual at equilibrium, relative to the forces.
     pub tolerance: f64,
-    /// Iterations of one step, at most.
+    /// Largest number of iterations of a step.
     pub most_iterations: usize,
-    /// Largest mean penetration of a node that is wanted at the end of every step, m; that of the law if absent. With the laws `fiber`
-    /// and `depth`, without friction and self-contact.
+    /// Penetration tolerance: largest mean penetration of a node at the end of each step, m. Without it the law alone decides. With the
+    /// laws `fiber` and `depth`, without friction and self-contact.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub penetration: Option<f64>,
 }

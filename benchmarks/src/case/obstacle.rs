@@ -5,15 +5,15 @@ use fmc_shapes::rotation_onto;
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 
-/// `[[obstacles]]`: a rigid shape of fmc-contact and where it stands.
+/// `[[obstacles]]`: a rigid shape and its place.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Obstacle {
     /// Name, unique among bodies and obstacles.
     pub name: String,
-    /// Its shape; which measures it needs follows from it.
+    /// Its shape, which needs some of the measures below.
     pub shape: ShapeName,
-    /// Where the origin of its frame lies, `[D]`, m; the origin of space if absent.
+    /// Origin of its frame, `[D]`, m; the global origin if absent.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub position: Option<Vec<f64>>,
     /// Direction of its axis (of the outward normal of a half-space), `[D]`; the last coordinate axis if absent.

@@ -12,7 +12,7 @@ pub struct Place {
     /// Extreme side of the body.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub side: Option<Side>,
-    /// Plane across this axis …
+    /// Axis perpendicular to a plane …
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub axis: Option<Axis>,
     /// … at this coordinate, m.
@@ -62,15 +62,15 @@ pub enum Axis {
 pub struct Support {
     /// Name of the body.
     pub body: String,
-    /// Which of its nodes.
+    /// The held nodes.
     #[serde(rename = "where")]
     pub place: Place,
-    /// Components of displacement that are prescribed.
+    /// Prescribed components of the displacement.
     pub components: Vec<Axis>,
     /// Their values, m, in the same order; zero if absent.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub values: Option<Vec<f64>>,
-    /// Their values at the end of every further stage of `[load_steps]`, in the same order; those of the first if absent.
+    /// Their values at the end of each further stage of `[load_steps]`, in the same order; the first values if absent.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub then: Vec<Vec<f64>>,
 }
@@ -81,7 +81,7 @@ pub struct Support {
 pub struct Load {
     /// Name of the body.
     pub body: String,
-    /// Which of its faces; not for a body force.
+    /// The loaded faces; not for a body force.
     #[serde(rename = "where", default, skip_serializing_if = "Option::is_none")]
     pub place: Option<Place>,
     /// Force per area, `[D]`, Pa.

@@ -9,15 +9,15 @@ pub struct Time {
     /// Step, s.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub step: Option<f64>,
-    /// Step as a part of the largest stable one, at most 1.
+    /// Step, relative to the largest stable one, at most 1.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub fraction: Option<f64>,
     /// Duration, s.
     pub end: f64,
-    /// Evaluations of the contact in every step; more than the usual one resolve a force that jumps.
+    /// Evaluations of the contact in each step. More than one resolve a force that jumps.
     #[serde(default = "one")]
     pub contact_substeps: u32,
-    /// Damping of the velocity per unit of mass, 1/s; none if absent.
+    /// Damping force per velocity and mass, 1/s; none if absent.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub damping: Option<f64>,
 }
