@@ -26,7 +26,7 @@ def main():
         named = [fields[name] for name in ("title", "year", "eprint") if name in fields and not fields[name].startswith("[")]
         named += [author.split(",")[0] for author in fields.get("author", "").split(" and ") if author]
         # One entry of the page has all of them.
-        if not any(all(one in line for one in named) for line in re.split(r"\n(?=- )", PAGE)):
+        if not any(all(one in " ".join(line.split()) for one in named) for line in re.split(r"\n(?=- )", PAGE)):
             faults.append(f"docs/bibliography.md has no entry with {named}")
     cited = set(re.findall(r"@(\w+)", paper.split("---", 2)[2]))
     faults += [f"{key} is cited, and not in paper.bib" for key in cited - set(known)] + [f"{key} is not cited" for key in set(known) - cited]
