@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Opens every page of the site in chromium, 390 px wide: python tools/site/check.py SITE
 
-A page has no error on the console, no picture that is missing, and nothing to scroll sideways but code, tables and formulas in boxes
-of their own. Pages come from a server on this machine; a page that asks another machine for something fails.
+A page has no error on the console, no picture that is missing, and nothing to scroll sideways but code, tables, formulas and
+drawings in boxes of their own. Pages come from a server on this machine; a page that asks another machine for something fails.
 """
 
 import json
@@ -43,7 +43,8 @@ async function look(page) {
   await loaded;
   const view = frame.contentWindow, text = view.document;
   await new Promise((done) => setTimeout(done, 30));
-  const wide = [...text.querySelectorAll("main *")].filter((e) => e.getBoundingClientRect().right > WIDTH + 1 && !e.closest("pre, .table, .formula"));
+  const boxes = "pre, .table, .formula, .picture";
+  const wide = [...text.querySelectorAll("main *")].filter((e) => e.getBoundingClientRect().right > WIDTH + 1 && !e.closest(boxes));
   const missing = [...text.images].filter((image) => image.complete && !image.naturalWidth).map((image) => image.src);
   const loads = view.performance.getEntriesByType("resource").map((entry) => entry.name);
   const elsewhere = loads.filter((name) => !name.startsWith(location.origin) && !name.startsWith("data:"));

@@ -261,7 +261,8 @@ def test_attributes_that_pages_name_are_there():
     contact.friction.begin_step(coords)
     of_adapters = {"force", "nodes", "size", "attach", "touched", "on_dofs", "coords", "set_surface_smoothing", "begin_step", "commit_step"}
     seen = set()
-    for page in DOCS.glob("*.md"):
+    # In case files these are keys of a table.
+    for page in set(DOCS.glob("*.md")) - {DOCS / "case-files.md"}:
         for name in re.findall(r"`contact((?:\.\w+)+)", page.read_text(encoding="utf-8")):
             parts = [part for part in name.split(".")[1:] if part != "contact"]
             owner, known = contact, True

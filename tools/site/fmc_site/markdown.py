@@ -37,6 +37,12 @@ def words(renderer, tokens, index, options, env):
     return subscripts(html.escape(text, quote=False))
 
 
+def image(renderer, tokens, index, options, env):
+    """A picture; a drawing has a box of its own, in which it may be wider than a telephone, so that its words can be read."""
+    made = renderer.image(tokens, index, options, env)
+    return f'<span class="picture" tabindex="0">{made}</span>' if tokens[index].attrGet("src").endswith(".svg") else made
+
+
 class Rendered:
     """A page's HTML, with its headings (level, anchor, text) and its text for the search."""
 
@@ -47,6 +53,7 @@ class Rendered:
         parser.add_render_rule("fence", fence)
         parser.add_render_rule("code_block", fence)
         parser.add_render_rule("text", words)
+        parser.add_render_rule("image", image)
         tokens = parser.parse(text)
         self.sections = []
         self.prepare(tokens)
