@@ -7,7 +7,16 @@ use fmc_shapes::Splitmix;
 
 /// The tangent of friction alone, as a function.
 fn product<const D: usize>(contact: &Contact<D>, smooth: &Contact<D>, coords: &[[f64; D]], x: &[[f64; D]]) -> Vec<f64> {
-    let of = |contact: &Contact<D>| contact.tangent(coords, TangentPart::Full).expect("a tangent").product(x);
+    part_of_product(contact, smooth, (coords, TangentPart::Full), x)
+}
+
+fn part_of_product<const D: usize>(
+    contact: &Contact<D>,
+    smooth: &Contact<D>,
+    (coords, part): (&[[f64; D]], TangentPart),
+    x: &[[f64; D]],
+) -> Vec<f64> {
+    let of = |contact: &Contact<D>| contact.tangent(coords, part).expect("a tangent").product(x);
     of(contact).iter().flatten().zip(of(smooth).iter().flatten()).map(|(p, q)| p - q).collect()
 }
 
@@ -54,6 +63,18 @@ fn is_a_potential<const D: usize>(scene: &crate::Scene<D>, options: Options, abo
     for _ in 0..20 {
         let x = shake(1.0);
         assert!(dot(&product(&contact, &smooth, &at, &x), &x) > -1e-12 * size);
+    }
+    // The quadratic energy of the semidefinite tangent is nowhere below the potential, however far away.
+    let energy_here = energy(&at);
+    for size in [1e-6, 1e-5, 1e-4, 1e-3] {
+        for _ in 0..4 {
+            let y = shake(size);
+            let forward = dot(&with.concat(), &y) - dot(&without.concat(), &y);
+            let ky = part_of_product(&contact, &smooth, (&at, TangentPart::Semidefinite), &y);
+            let bound = energy_here - forward + 0.5 * dot(&ky, &y);
+            let there = energy(&add(&at, &y, 1.0));
+            assert!(there < bound + 1e-12 * (energy_here + there), "{there} above {bound} at {size}");
+        }
     }
     // The pressure of the coordinates at hand, where they are those at which it was frozen.
     let frozen = contact.evaluate(&base).expect("forces");

@@ -24,6 +24,7 @@
 mod assembly;
 mod attempt;
 mod balance;
+mod bracket;
 mod breaking;
 mod check;
 mod conversation;

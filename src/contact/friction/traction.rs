@@ -34,3 +34,15 @@ pub(crate) struct Traction<const D: usize> {
     /// Dissipated energy by area, never negative.
     pub(crate) dissipated: f64,
 }
+
+impl<const D: usize> Traction<D> {
+    /// The stiffness with that along the slip from none to this one: where it slides nothing resists more of it, and a quadratic energy that
+    /// has this stiffness is nowhere below that of the slider.
+    pub(super) fn secant(&self, trial: &Vector<D>) -> SMatrix<f64, D, D> {
+        let work = self.value.dot(trial);
+        match self.slides && work > 0.0 {
+            true => self.stiffness + self.value * self.value.transpose() / work,
+            false => self.stiffness,
+        }
+    }
+}

@@ -113,12 +113,11 @@ impl<const D: usize> Tractions<D> {
                 }
             }
             if let Some(part) = part {
-                let with_limit = part == TangentPart::Full;
                 let number = |mover: Mover| match rotations {
                     _ if !mover.turns => Some(mover.node),
                     count => Some(mover.node + count? as u32),
                 };
-                scratch.add_blocks(facet, (rows, number), (&traction, with_limit), &mut blocks);
+                scratch.add_blocks(facet, (rows, number), (&traction, part), &mut blocks);
             }
         }
         totals.dissipated += slipping.released;
@@ -157,18 +156,21 @@ struct Scratch<const D: usize> {
 }
 
 impl<const D: usize> Scratch<D> {
-    /// Adds c Bᵀ C B, C = ∂q/∂s by the part of the step that counts, and, `with_limit`, what is not symmetric: Bᵀ ∂q/∂τ times
-    /// the derivative of the limit τ, and that of this part.
+    /// Adds c Bᵀ C B, C = ∂q/∂s by the part of the step that counts, of what is frozen and wanted semidefinite the secant. The full tangent
+    /// also has what is not symmetric: Bᵀ ∂q/∂τ times the derivative of the limit τ, and that of this part.
     fn add_blocks(
         &mut self,
         facet: &SlipFacet<D>,
         (rows, number): (&[Row<D>], impl Fn(Mover) -> Option<u32>),
-        (traction, with_limit): (&Traction<D>, bool),
+        (traction, part): (&Traction<D>, TangentPart),
         blocks: &mut BlockSum<D>,
     ) {
         let Scratch { nodes, values } = self;
         let tangential = SMatrix::<f64, D, D>::identity() - facet.normal * facet.normal.transpose();
-        let mut stiffness = tangential * traction.stiffness * tangential * (facet.area * facet.counted);
+        let with_limit = part == TangentPart::Full;
+        let is_secant = facet.is_frozen && part == TangentPart::Semidefinite;
+        let by_slip = if is_secant { traction.secant(&facet.trial) } else { traction.stiffness };
+        let mut stiffness = tangential * by_slip * tangential * (facet.area * facet.counted);
         if with_limit && facet.by_approach != Vector::<D>::zeros() {
             // The nearer they come in the step, the more of it counts.
             stiffness += tangential * traction.stiffness * facet.by_approach * facet.normal.transpose() * facet.area;

@@ -12,8 +12,8 @@ pub enum TangentPart {
     /// Without what makes it unsymmetric: that a frictional force grows with the pressure, and the unsymmetric part of a cohesive
     /// interface whose mode changes as it breaks. The same as `Full` without friction and such interfaces.
     Symmetric,
-    /// Symmetric and without the part from the turning of facets, which can be negative, and with cohesive interfaces at the damage there
-    /// is: safe far from the solution.
+    /// Symmetric and without the part from the turning of facets, which can be negative, with cohesive interfaces at the damage there
+    /// is, and where frozen friction slides with its traction by its slip: safe far from the solution.
     Semidefinite,
 }
 

@@ -66,11 +66,13 @@ pub(super) async fn in_parts<const D: usize>(search: &mut Search<D>, step: &Load
         search.host.set_offset(start.residual.iter().map(|force| (1.0 - until) * force).collect());
         let target = moved(&step.x, until, &step.moved);
         let begun = search.host.contact(|contact| (contact.history.begun(), contact.all_multipliers())).await;
+        let told = search.warnings.len();
         match led(search, &x, (&target, until == 1.0), &mut counts).await {
             Ok(reached)
                 if part > SMALLEST_OF_DOUBT && search.may_go_on() && !doubtful(search, &reached).await.is_empty() =>
             {
                 part *= 0.5;
+                search.warnings.truncate(told);
                 search.host.contact(|contact| go_back(contact, begun)).await;
             }
             Ok(reached) if until == 1.0 => return finished(search, reached, &counts).await,
@@ -83,6 +85,7 @@ pub(super) async fn in_parts<const D: usize>(search: &mut Search<D>, step: &Load
             Err(trouble) => {
                 counts.trouble = Some(trouble.to_string());
                 part *= 0.5;
+                search.warnings.truncate(told);
                 search.host.contact(|contact| take_up(contact, begun.0)).await;
             }
         }
