@@ -100,6 +100,9 @@ fn on_surface<const D: usize>(deck: &Deck, bodies: Bodies<D>, load: &Load) -> Re
         let face = face_number(deck, first, row)?;
         keys.extend(faces_of(deck, bodies, instance, (&row.set, row.line), ('S', face))?);
     }
+    // Rows of a surface may share faces: each is there once.
+    keys.sort_unstable();
+    keys.dedup();
     Ok(keys)
 }
 

@@ -14,6 +14,8 @@ struct SpreadLoad<const D: usize> {
     value: Timed,
     forces: Vec<[f64; D]>,
     faces: BTreeSet<Vec<u32>>,
+    /// The set on which it acts as gravity.
+    pulled: Option<String>,
 }
 
 /// Supports and loads during a step.
@@ -140,6 +142,15 @@ impl<const D: usize> State<D> {
                 let before = self.supports.get(&(node, axis)).or_else(|| self.released.get(&(node, axis)));
                 let start = before.map_or(0.0, |(value, _)| value.first(self.end));
                 let value = Timed::new(start, row.value, amplitude.clone());
+                let now = self.supports.get(&(node, axis)).filter(|(_, line)| *line != 0);
+                if let Some((_, line)) = now.filter(|(other, _)| !other.goes_with(&value)) {
+                    let label = deck.mesh.node_tags[bodies.places.nodes[node]];
+                    let text = format!(
+                        "node {label} is moved elsewhere along axis {} by line {line} in the same step",
+                        axis + 1
+                    );
+                    return Err(Fault::new(row.line, text));
+                }
                 self.supports.insert((node, axis), (value, row.line));
             }
         }
@@ -169,6 +180,14 @@ impl<const D: usize> State<D> {
             return Err(twice(before.line));
         }
         let start = before.map_or(0.0, |before| before.value.first(self.end));
+        let pulled = matches!(load.kind, LoadKind::Gravity(_)).then(|| load.set.to_uppercase());
+        let is_other = |(other, load): (&String, &SpreadLoad<D>)| {
+            *other != key && load.line == 0 && load.value.goes_on() && pulled.is_some() && load.pulled == pulled
+        };
+        if self.spread.iter().any(is_other) {
+            let message = "gravity of another direction acts since an earlier step: name that direction, or say OP=NEW";
+            return Err(Fault::new(load.line, message));
+        }
         let new = spread(deck, bodies, &self.faces, load)?;
         let faces: BTreeSet<Vec<u32>> = new.faces.into_iter().collect();
         if self.spread.iter().any(|(other, load)| *other != key && !load.faces.is_disjoint(&faces)) {
@@ -176,7 +195,7 @@ impl<const D: usize> State<D> {
             return Err(Fault::new(load.line, message));
         }
         let value = Timed::new(start, load.value, amplitude);
-        self.spread.insert(key, SpreadLoad { line: load.line, value, forces: new.forces, faces });
+        self.spread.insert(key, SpreadLoad { line: load.line, value, forces: new.forces, faces, pulled });
         Ok(())
     }
 }

@@ -49,6 +49,16 @@ impl Timed {
         }
     }
 
+    /// Whether it goes to the same value in the same way, wherever it starts.
+    pub(super) fn goes_with(&self, other: &Self) -> bool {
+        self.target == other.target && self.amplitude == other.amplitude
+    }
+
+    /// Whether it is not 0 at the end.
+    pub(super) fn goes_on(&self) -> bool {
+        self.target != 0.0
+    }
+
     /// Whether it is 0 all the time.
     pub(super) fn is_zero(&self) -> bool {
         self.start == 0.0 && self.target == 0.0

@@ -130,7 +130,14 @@ impl Deck {
     fn take(&mut self, text: &str) -> Result<(), Fault> {
         let mut lines = Lines::new(text);
         let mut open = Open::default();
-        while let Some(keyword) = lines.keyword() {
+        loop {
+            if let Some((line, text)) = lines.data() {
+                return Err(Fault::new(
+                    line,
+                    format!("'{text}' belongs to no keyword, or is more than the keyword before it takes"),
+                ));
+            }
+            let Some(keyword) = lines.keyword() else { break };
             self.take_keyword(&keyword, &mut lines, &mut open)?;
         }
         let last = text.lines().count();

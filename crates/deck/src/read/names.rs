@@ -176,6 +176,9 @@ impl Names {
     ) -> Result<Vec<usize>, Fault> {
         let mut found = Vec::new();
         self.collect(kind, instance, name, line, 0, &mut found)?;
+        if found.is_empty() {
+            return Err(Fault::new(line, format!("{} set '{name}' is empty", kind.word())));
+        }
         found.sort_unstable();
         found.dedup();
         Ok(found)

@@ -91,6 +91,12 @@ fn what_is_not_known_is_named_by_its_line() {
             "has another material by the section of line",
         ),
         ("*STEP", "*RESTART, READ\n*STEP", "*RESTART, READ is not known"),
+        // What would be passed over, or would count twice.
+        ("*STATIC", "*STATIC\n1., 1.\n2., 2.", "'2., 2.' belongs to no keyword"),
+        ("1000., 0.3", "1000., 0.3\n2000., 0.3, 100.", "'2000., 0.3, 100.' belongs to no keyword"),
+        ("*END STEP", "*END STEP\n1, 2, 3", "'1, 2, 3' belongs to no keyword"),
+        ("*STEP", "*NSET, NSET=NONE\n*BOUNDARY\nNONE, 1\n*STEP", "node set 'NONE' is empty"),
+        ("BOTTOM, 2, 2", "BOTTOM, 2, 2\nBOTTOM, 2, 2, 0.1", "is moved elsewhere along axis 2 by line"),
     ];
     for (number, (from, to, expected)) in rows.into_iter().enumerate() {
         assert!(good.contains(from), "{from}");
