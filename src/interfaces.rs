@@ -4,7 +4,7 @@
 //! move it) · `opposite` (points of a piece, and what lies opposite) · `covered` (what of facets pieces cover) · `frame` (how the normal of a
 //! facet turns) · `hold` (by which side) · `tie` (the rows of a tie) · `tie_energy` (its energy, forces and tangent) · `cohesive_law` (how an
 //! interface breaks) · `ppr_law` (another way) · `point_state` (what its points carry on) · `broken_friction` (where it is broken) · `cohesion` (its points) · `cohesive_energy` (as of a tie) · `glide` (surfaces that slide and do not separate) ·
-//! `glide_energy` (as of a tie)
+//! `glide_energy` (as of a tie) · `square` (second derivatives by the nodes of a piece)
 
 mod between;
 mod broken_friction;
@@ -23,6 +23,7 @@ mod opposite;
 mod place;
 mod point_state;
 mod ppr_law;
+mod square;
 mod tie;
 mod tie_energy;
 mod visible;

@@ -16,9 +16,9 @@ use super::cohesive_law::CohesiveLaw;
 use super::frame::{Frame, Matrix};
 use super::place::Weights;
 use super::point_state::{PointDamage, PointHistory, PointState, Response};
+use super::square::{Square, mixed};
 use crate::geometry::Vector;
 use crate::overlap::{Block, BlockSum};
-use std::collections::BTreeMap;
 
 /// What is asked of the second derivative of a cohesive interface.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -196,39 +196,7 @@ impl<const D: usize> PointAt<D> {
     }
 }
 
-/// What points of one piece add to the second derivative.
-#[derive(Default)]
-struct Square<const D: usize> {
-    /// The nodes, as places in the list of the interface, and how they move the corners of the facet.
-    nodes: Vec<u32>,
-    corners: Vec<[f64; D]>,
-    /// Those of the jump alone, and the facet, by which points of one piece are known.
-    jump: Vec<u32>,
-    frame: u32,
-    values: Vec<Matrix<D>>,
-}
-
 impl<const D: usize> Square<D> {
-    fn of(point: &CohesivePoint, corners: &[Weights; D]) -> Self {
-        let mut of_node: BTreeMap<u32, [f64; D]> = point.jump.iter().map(|&(node, _)| (node, [0.0; D])).collect();
-        for (corner, weights) in corners.iter().enumerate() {
-            weights.iter().for_each(|&(node, weight)| of_node.entry(node).or_insert([0.0; D])[corner] += weight);
-        }
-        let jump = point.jump.iter().map(|(node, _)| *node).collect();
-        let values = vec![[[0.0; D]; D]; of_node.len() * of_node.len()];
-        let (nodes, corners) = of_node.into_iter().unzip();
-        Self { nodes, corners, jump, frame: point.frame, values }
-    }
-
-    fn is_of(&self, point: &CohesivePoint) -> bool {
-        self.frame == point.frame && self.jump.iter().eq(point.jump.iter().map(|(node, _)| node))
-    }
-
-    fn hand_over(&self, nodes: &[u32], sum: &mut BlockSum<D>) {
-        let nodes: Vec<u32> = self.nodes.iter().map(|node| nodes[*node as usize]).collect();
-        sum.add_square(&nodes, &self.values);
-    }
-
     fn add(
         &mut self,
         point: &CohesivePoint,
@@ -236,15 +204,7 @@ impl<const D: usize> Square<D> {
         (frame, edges, full): (&Frame<D>, Option<&Edges<D>>, [f64; 2]),
         which: Softened,
     ) {
-        let count = self.nodes.len();
-        let mut weights = vec![0.0; count];
-        let mut places = 0..count;
-        for &(node, weight) in &point.jump {
-            // Both are ascending.
-            if let Some(place) = places.find(|&place| self.nodes[place] == node) {
-                weights[place] = weight;
-            }
-        }
+        let (count, weights) = (self.nodes.len(), self.weights(point));
         let slopes: Vec<Matrix<D>> = self.corners.iter().map(|shares| mixed(shares, &frame.slopes)).collect();
         let (normal, apart, response) = (&frame.normal, &at.apart, &at.response);
         // d(a·n), and half the derivative of the squared sliding.
@@ -332,10 +292,4 @@ impl<const D: usize> Square<D> {
             }
         }
     }
-}
-
-/// Σ shares · slopes.
-fn mixed<const D: usize>(shares: &[f64; D], slopes: &[Matrix<D>; D]) -> Matrix<D> {
-    let entry = |i: usize, j: usize| shares.iter().zip(slopes).map(|(share, slope)| share * slope[i][j]).sum();
-    std::array::from_fn(|i| std::array::from_fn(|j| entry(i, j)))
 }

@@ -1,7 +1,7 @@
-//! How the unit normal of a facet turns as its corners move.
+//! How the unit normal of a facet, or a direction in its plane, turns as its corners move.
 //!
 //! With the area vector N, n = N/|N| and P = I − n nᵀ: dn = P dN/|N|, and for a fixed vector a, with t = P a,
-//! d²(a·n) = [t·d²N]/|N| − [(n·dN)(t·δN) + (n·δN)(t·dN) + (a·n) dN·P δN]/|N|².
+//! d²(a·n) = [t·d²N]/|N| − [(n·dN)(t·δN) + (n·δN)(t·dN) + (a·n) dN·P δN]/|N|². A direction has a sum over the corners in place of N.
 
 use crate::geometry::Vector;
 use crate::geometry::facet::{area_slopes, area_vector};
@@ -9,7 +9,7 @@ use crate::geometry::facet::{area_slopes, area_vector};
 /// A D by D matrix, row by row.
 pub(super) type Matrix<const D: usize> = [[f64; D]; D];
 
-/// The normal of a facet, and its derivatives.
+/// The normal of a facet, or a direction in its plane, and its derivatives.
 pub(super) struct Frame<const D: usize> {
     pub(super) normal: Vector<D>,
     /// By the position of every corner.
@@ -17,27 +17,38 @@ pub(super) struct Frame<const D: usize> {
     /// Those of the area vector.
     of_area: [Matrix<D>; D],
     area: f64,
+    /// Whether the area vector bends, as that of a normal in space does.
+    bends: bool,
 }
 
 impl<const D: usize> Frame<D> {
     /// That of a facet with these corners; `None` where it has no area.
     pub(super) fn new(x: &[Vector<D>; D]) -> Option<Self> {
-        let vector = area_vector(x);
+        Self::of(area_vector(x), area_slopes(x), D == 3)
+    }
+
+    /// The direction of Σ share · corner, whose shares sum up to 0; `None` where that has no length.
+    pub(super) fn toward(x: &[Vector<D>; D], shares: &[f64; D]) -> Option<Self> {
+        let vector = x.iter().zip(shares).fold(Vector::zeros(), |sum, (x, share)| sum + x * *share);
+        let diagonal = |share: f64| std::array::from_fn(|i| std::array::from_fn(|j| if i == j { share } else { 0.0 }));
+        Self::of(vector, shares.map(diagonal), false)
+    }
+
+    fn of(vector: Vector<D>, of_area: [Matrix<D>; D], bends: bool) -> Option<Self> {
         let area = vector.norm();
         let normal = vector.try_normalize(0.0)?;
-        let of_area = area_slopes(x);
         let slopes = of_area.map(|slope| {
             let column = |j: usize| Vector::<D>::from_fn(|i, _| slope[i][j]);
             let turned: [Vector<D>; D] = std::array::from_fn(|j| across(&column(j), &normal) / area);
             std::array::from_fn(|i| std::array::from_fn(|j| turned[j][i]))
         });
-        Some(Self { normal, slopes, of_area, area })
+        Some(Self { normal, slopes, of_area, area, bends })
     }
 
     /// That of a facet that has collapsed: no normal, and none whatever moves.
     pub(super) fn none() -> Self {
         let zero = [[[0.0; D]; D]; D];
-        Self { normal: Vector::zeros(), slopes: zero, of_area: zero, area: 1.0 }
+        Self { normal: Vector::zeros(), slopes: zero, of_area: zero, area: 1.0, bends: false }
     }
 
     /// The second derivative of a·n by the positions of two corners.
@@ -48,7 +59,7 @@ impl<const D: usize> Frame<D> {
         let times = |m: &Matrix<D>, v: &Vector<D>| Vector::<D>::from_fn(|j, _| (0..D).map(|i| v[i] * m[i][j]).sum());
         let [nu, tu] = [n, &along].map(|v| times(of(0), v));
         let [nw, tw] = [n, &along].map(|v| times(of(1), v));
-        let bent = bend(&along, corners);
+        let bent = if self.bends { bend(&along, corners) } else { [[0.0; D]; D] };
         std::array::from_fn(|i| {
             std::array::from_fn(|j| {
                 let plain: f64 = (0..D).map(|k| of(0)[k][i] * of(1)[k][j]).sum();
@@ -64,10 +75,10 @@ fn across<const D: usize>(v: &Vector<D>, n: &Vector<D>) -> Vector<D> {
     v - n * v.dot(n)
 }
 
-/// t·d²N by the positions of two corners: N is linear in each corner, and in 2D in all.
+/// t·d²N in space by the positions of two corners: N is linear in each corner.
 fn bend<const D: usize>(t: &Vector<D>, [c, d]: [usize; 2]) -> Matrix<D> {
     let mut found = [[0.0; D]; D];
-    if D == 2 || c == d {
+    if c == d {
         return found;
     }
     // N = ½ Σ x_c × x_{c+1}, so that t·∂²N/∂x_c ∂x_{c+1} is ½ (u × w)·t.
@@ -84,14 +95,14 @@ fn bend<const D: usize>(t: &Vector<D>, [c, d]: [usize; 2]) -> Matrix<D> {
 mod tests {
     use super::*;
 
-    fn check<const D: usize>(x: [Vector<D>; D], a: Vector<D>) {
+    fn check<const D: usize>(x: [Vector<D>; D], a: Vector<D>, of: impl Fn(&[Vector<D>; D]) -> Option<Frame<D>>) {
         let step = 1e-6;
         let moved = |c: usize, i: usize, by: f64| {
             let mut x = x;
             x[c][i] += by;
-            Frame::new(&x).expect("a facet with an area")
+            of(&x).expect("a facet with an area")
         };
-        let frame = Frame::new(&x).expect("a facet with an area");
+        let frame = of(&x).expect("a facet with an area");
         for c in 0..D {
             for i in 0..D {
                 let [more, less] = [step, -step].map(|by| moved(c, i, by));
@@ -113,8 +124,12 @@ mod tests {
     /// Central differences with a step of 1e-6 are exact to 1e-9 or so.
     #[test]
     fn derivatives_of_the_normal_against_differences() {
-        check([Vector::<2>::new(0.1, 0.2), Vector::<2>::new(0.9, -0.3)], Vector::<2>::new(0.4, 1.3));
+        let (edge, a) = ([Vector::<2>::new(0.1, 0.2), Vector::<2>::new(0.9, -0.3)], Vector::<2>::new(0.4, 1.3));
+        check(edge, a, Frame::new);
+        check(edge, a, |x| Frame::toward(x, &[-1.0, 1.0]));
         let corners = [[0.1, 0.2, -0.4], [1.2, 0.1, 0.3], [-0.2, 0.8, 0.6]].map(Vector::<3>::from);
-        check(corners, Vector::<3>::new(0.4, 1.3, -0.7));
+        let a = Vector::<3>::new(0.4, 1.3, -0.7);
+        check(corners, a, Frame::new);
+        check(corners, a, |x| Frame::toward(x, &[-1.3, 0.4, 0.9]));
     }
 }
