@@ -202,6 +202,8 @@ typedef enum {
   FMC_ERROR_MEMORY = 65,
   // Two bodies are tied, and face one another nowhere within reach.
   FMC_ERROR_UNTIED = 66,
+  // The law of the host on an interface failed, or left a number that is not finite; or its derivative is none (`fmc_law_check`).
+  FMC_ERROR_INTERFACE_LAW = 67,
 } fmc_status;
 
 // Class of a status: what a host does about it.
@@ -924,6 +926,9 @@ typedef enum {
   FMC_INTERFACE_NO_SEPARATION = 3,
   // They press and open as in contact, and never slide where they touch: an infinite coefficient of friction. Key value "rough".
   FMC_INTERFACE_ROUGH = 4,
+  // They are held together where those with a cohesive interface would be, by a law of the host, and are in no contact: the law has to resist
+  // compression. Set by `fmc_context_set_law_pair`. Key value "law".
+  FMC_INTERFACE_LAW = 5,
 } fmc_interface;
 
 // How the traction of a cohesive interface falls as it opens.
@@ -1044,6 +1049,90 @@ typedef struct {
   uint64_t reserved[4];
 } fmc_ppr;
 
+// The points of a pair at which a law of the host is asked. All numbers of a point follow one another. Nothing of it may be written, or read
+// after the call.
+//
+// New fields take the place of reserved ones; the size of the struct does not change.
+typedef struct {
+  // Size of this struct, as the library wrote it.
+  size_t struct_size;
+  // How many points there are, at least 1.
+  size_t count;
+  // Dimension, 2 or 3.
+  size_t dim;
+  // Numbers of the history of a point.
+  size_t history_count;
+  // The bodies, indices for `fmc_context_body_resultant`, the lower one first; 0 and 1 in `fmc_own_law_check`.
+  size_t body;
+  // See `body`.
+  size_t partner;
+  // How long the step takes (`fmc_context_set_time_step`); 0: nothing was said.
+  double time_step;
+  // Lengths, (count, dim): the opening beyond the gap at first, along the normal of `partner`, negative where the bodies are pressed; then
+  // how far `body` has slid along the axes in the plane of the facet of `partner`.
+  const double *jump;
+  // Normal of `partner` and axes in space, by rows, (count, dim, dim), of length 1 and perpendicular to one another. In 2D the axis is the
+  // normal turned by +90 degrees. In 3D the first is the x axis projected into the undeformed facet (the z axis, where the normal is within
+  // 0.1 degrees of x), which goes along with the facet; the second is normal x first.
+  const double *axes;
+  // Where the points are on `body`, (count, dim).
+  const double *position;
+  // The same without deformation.
+  const double *reference;
+  // Areas that the points stand for, without deformation, (count).
+  const double *area;
+  // (count, history_count), as it was accepted last (`fmc_context_commit_step`); 0 at first.
+  const double *history;
+  // Zero.
+  uint64_t reserved[4];
+} fmc_law_points;
+
+// Where a law of the host writes what it answers.
+//
+// New fields take the place of reserved ones; the size of the struct does not change.
+typedef struct {
+  // Size of this struct, as the library wrote it.
+  size_t struct_size;
+  // Force by area without deformation along the axes, (count, dim): positive where it resists a positive jump. An entry that is left
+  // unwritten counts as not finite.
+  double *traction;
+  // Its derivative by the jump, with history and time step held, (count, dim, dim), row by row: entry (i, j) is that of traction i by jump j.
+  // It need not be symmetric. An entry that is left unwritten counts as not finite.
+  double *tangent;
+  // The history as it would be after a step that ends here, (count, history_count). At first it is what it was.
+  double *history;
+  // Energy by area that unloading would give back, (count); 0 at first. Nothing but what is told of energies depends on it.
+  double *stored;
+  // The same that has been dissipated since the beginning.
+  double *dissipated;
+  // Zero.
+  uint64_t reserved[4];
+} fmc_law_response;
+
+// A law of the host: writes tractions, tangents and history at all points of a pair. `user` is the pointer given with it.
+//
+// Return 0; any other value makes the call of the library fail with `FMC_ERROR_INTERFACE_LAW`, naming point i of the pair for the value i + 1.
+// It is called on the thread that evaluates, never from two threads at once, one pair after the other, ascending, with the points in the order
+// of `fmc_context_law_points`; where ranks share the work on every rank at all points. The same input must have the same answer, bit by bit.
+// It must not call a function of the same context (it would get `FMC_ERROR_BUSY`), throw, or jump out.
+typedef int32_t (*fmc_respond)(void *user, const fmc_law_points *points, const fmc_law_response *response);
+
+// A law of the host on an interface, for `FMC_INTERFACE_LAW`. `fmc_own_law_init` sets all of it.
+//
+// New fields take the place of reserved ones; the size of the struct does not change.
+typedef struct {
+  // Set by `fmc_own_law_init`, so that a struct that was not initialised is recognised.
+  size_t struct_size;
+  // How many numbers a point carries from step to step. Default 0.
+  size_t history_count;
+  // The law. It and `user` must outlive the context, or the pair's options, if others are set before.
+  fmc_respond respond;
+  // Passed to `respond`.
+  void *user;
+  // Zero. Room for options of later versions.
+  uint64_t reserved[4];
+} fmc_own_law;
+
 // Sets the options of a pair to what it has without options of its own: the law of the context, not left out.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`. Threads: any, on different structs.
@@ -1149,6 +1238,47 @@ fmc_status fmc_context_ppr_pair(const fmc_context *context,
                                 int32_t b_kind,
                                 size_t b,
                                 fmc_ppr *ppr);
+
+// Sets a law without a function and without history.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`. Threads: any, on different structs.
+fmc_status fmc_own_law_init(fmc_own_law *law);
+
+// Checks a law without a context: whether the same question has the same answer, each point alone and beside others, and whether its tangents are
+// the derivatives of its tractions, by differences to 1e-6 of the largest entry. Corners of a law, where damage begins, are recognised.
+//
+// `scale` is a jump over which the tractions change, such as the opening at which damage begins, a length; differences have steps of 1e-6 of it.
+// `jump` has `jump_count` jumps of `dim` numbers at which to check; NULL with 0: 60 that the library spreads over -scale/4 ... scale along the
+// normal and -scale ... scale across it. The history is 0, and then what other jumps leave. `time_step` 0: none is said.
+//
+// `tell` may be NULL; else it gets a sentence for everything that was looked at, with level `FMC_LOG_WARNING` for what is wrong, else 0.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_STRUCT_SIZE`, `FMC_ERROR_RESERVED_FIELD`, `FMC_ERROR_BAD_VALUE` for a `history_count` above
+// 1048576, `FMC_ERROR_DIMENSION`, `FMC_ERROR_LENGTH`, `FMC_ERROR_NOT_POSITIVE`; `FMC_ERROR_INTERFACE_LAW` for a law that fails, answers what is
+// not finite, or is wrong, with all that is wrong in the text. Threads: any.
+fmc_status fmc_own_law_check(const fmc_own_law *law,
+                             size_t dim,
+                             double scale,
+                             const double *jump,
+                             size_t jump_count,
+                             double time_step,
+                             fmc_log_callback tell,
+                             void *user);
+
+// Sets the options of a pair as `fmc_context_set_pair_options` does, whose interface is `FMC_INTERFACE_LAW`, with the law. The history of its
+// points begins with zeros. `fmc_context_set_pair_options` with the same interface keeps law and history.
+//
+// The tangent is as symmetric as that of the law: take all of it, and an unsymmetric solver, unless the law has a potential.
+//
+// Errors: those of `fmc_context_set_pair_options`; those of a law as `fmc_own_law_check` has them before it asks; `FMC_ERROR_OPTIONS_CONFLICT`
+// for another interface. What was set before then stays. Threads: one call at a time on a context.
+fmc_status fmc_context_set_law_pair(fmc_context *context,
+                                    int32_t a_kind,
+                                    size_t a,
+                                    int32_t b_kind,
+                                    size_t b,
+                                    const fmc_pair_options *options,
+                                    const fmc_own_law *law);
 
 // ---- Evaluate: forces and what belongs to them -----------------------------------------------------------
 
@@ -2424,6 +2554,32 @@ typedef struct {
   uint64_t reserved[3];
 } fmc_cohesive_point;
 
+// A point of an interface that follows a law of the host.
+typedef struct {
+  // Size of this struct, as the library wrote it.
+  size_t struct_size;
+  // The bodies, indices for `fmc_context_body_resultant`, the lower one first.
+  size_t body;
+  // See `body`.
+  size_t partner;
+  // Where it is, on `body`; in 2D the last is 0.
+  double position[3];
+  // Area that it stands for, without deformation.
+  double area;
+  // Normal of `partner` and axes in its plane, as in `fmc_law_points`, three numbers each; in 2D the third axis is z.
+  double axes[9];
+  // Opening beyond the gap at first, and sliding, along these; in 2D the last is 0.
+  double jump[3];
+  // Traction along these, force by area: positive along the normal where the bodies are pulled apart; in 2D the last is 0.
+  double traction[3];
+  // Energy by area that unloading would give back, as the law tells.
+  double stored;
+  // The same that has been dissipated.
+  double dissipated;
+  // Zero.
+  uint64_t reserved[4];
+} fmc_law_point;
+
 // A boundary facet: an edge in 2D, a triangle in 3D. A quadrilateral face is four of them, one on each of its edges. A face
 // of a cell of second order is divided first: an edge in two, a triangle or quadrilateral in four parts.
 typedef struct {
@@ -2769,6 +2925,20 @@ fmc_status fmc_context_cohesive_points(fmc_context *context,
                                        size_t capacity,
                                        size_t *count);
 
+// All points of interfaces by laws of the host at `coords`, by pair, in the order of `fmc_context_law_history`. Area times energies, summed up,
+// are the energies of the interfaces.
+//
+// `count` becomes their number; `rows` has room for `capacity`. NULL with capacity 0: the number alone is asked for.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_LENGTH`, `FMC_ERROR_NON_FINITE_COORDINATE`, `FMC_ERROR_INTERFACE_LAW`;
+// `FMC_ERROR_UNTIED` where other reference coordinates have left nothing of an interface; `FMC_ERROR_BUSY`. Threads: one call at a time on a
+// context.
+fmc_status fmc_context_law_points(fmc_context *context,
+                                  const fmc_coords *coords,
+                                  fmc_law_point *rows,
+                                  size_t capacity,
+                                  size_t *count);
+
 // The boundary facets in the order in which `fmc_context_slip` has them, body after body.
 //
 // `count` becomes their number; `facets` has room for `capacity`. NULL with capacity 0: the number alone is asked for.
@@ -2918,6 +3088,26 @@ fmc_status fmc_context_set_cohesive_history(fmc_context *context,
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NOT_POSITIVE`, `FMC_ERROR_BUSY`. Threads: one call at a time on a context.
 fmc_status fmc_context_set_time_step(fmc_context *context,
                                      double time_step);
+
+// The history of all points of interfaces by laws of the host after the steps that were accepted (`fmc_context_commit_step`), in the order of
+// `fmc_context_law_points`: as many numbers for each as its law has. With the coordinates it is all that a restart needs of them.
+//
+// `count` becomes how many numbers there are; `history` has room for `capacity`. NULL with capacity 0: that alone is asked for.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_UNTIED` as `fmc_context_law_points`, `FMC_ERROR_BUSY`; nothing is
+// written then. Threads: several at once on one context, as long as no call changes it.
+fmc_status fmc_context_law_history(const fmc_context *context,
+                                   double *history,
+                                   size_t capacity,
+                                   size_t *count);
+
+// Sets it: `count` numbers, as `fmc_context_law_history` writes them, for a restart.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_LENGTH` for another number of them, `FMC_ERROR_NOT_POSITIVE` for what is not finite,
+// `FMC_ERROR_UNTIED`, `FMC_ERROR_BUSY`; the old one then stays. Threads: one call at a time on a context.
+fmc_status fmc_context_set_law_history(fmc_context *context,
+                                       const double *history,
+                                       size_t count);
 
 // The multipliers, ascending by node and partner: with the coordinates all that a restart needs, or a load step that is tried
 // again.

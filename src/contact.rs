@@ -9,6 +9,7 @@ mod explicit;
 mod flux;
 mod friction;
 mod glides;
+mod governed;
 mod held;
 mod history;
 mod interface;
@@ -21,7 +22,10 @@ mod tangents;
 mod ties;
 mod work;
 
-pub use crate::interfaces::{Cohesive, PointDamage, PointHistory, Ppr, Softening};
+pub use crate::interfaces::{
+    Cohesive, InterfaceLaw, LawCheck, LawFailure, LawPoints, LawReport, LawResponse, PointDamage, PointHistory, Ppr,
+    Softening, check_law,
+};
 pub use changes::Adjustment;
 pub use cohesive::{CohesivePoint, CohesiveSummary};
 pub use derivatives::{GradientRequest, Gradients, PairGradient};
@@ -31,6 +35,7 @@ pub(crate) use evaluation::{Needed, hash_in_common, needed};
 pub use explicit::{Accuracy, largest_eigenvalue};
 pub use flux::{Conductance, ContactFlux, FluxRequest};
 pub use friction::{FacetSlip, Friction, FrictionTotals, OrthotropicFriction, StaticFriction};
+pub use governed::LawPoint;
 pub use history::Multiplier;
 pub use interface::{FrictionStep, contact_force, contact_force_step};
 pub use laws::{EnergyLaw, EnergyProfile, PenetrationLaw, StiffnessFrom, suggest_fiber_stiffness, suggest_stiffness};

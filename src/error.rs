@@ -2,10 +2,12 @@
 
 mod checks;
 mod counted;
+mod law_fault;
 mod map_point;
 mod memory;
 mod text;
 
+pub use law_fault::LawFault;
 pub use map_point::MapPoint;
 
 /// Cause of a failure. After any error, the object that was called is as it was before the call.
@@ -88,8 +90,7 @@ pub enum Error {
         /// How many of them are quadrilaterals whose nodes go to and fro, as a bow tie.
         bow_ties: usize,
     },
-    /// The map of a cell of second order folds: its Jacobian determinant is negative, or positive in a mirrored cell, at a node or
-    /// a quadrature point; at the coordinates of an evaluation at a quadrature point. Zero is allowed.
+    /// The map of a cell of second order folds: its Jacobian is negative (mirrored: positive) at a node or, in an evaluation, at a quadrature point.
     FoldedCell {
         /// Cell.
         cell: usize,
@@ -281,8 +282,7 @@ pub enum Error {
     },
     /// No step has begun: with friction slip is counted from there, and [`Contact::commit_step`](crate::Contact::commit_step) ends one.
     NoStep,
-    /// The law has no stiffness, and none was found from that of the bodies
-    /// ([`Contact::set_layer_stiffness`](crate::Contact::set_layer_stiffness)).
+    /// The law has no stiffness, and none was found from that of the bodies ([`Contact::set_layer_stiffness`](crate::Contact::set_layer_stiffness)).
     NoStiffness,
     /// Two bodies are tied, joined by a cohesive interface or kept from separating, and face one another nowhere within reach.
     Untied {
@@ -333,6 +333,8 @@ pub enum Error {
         /// Point, counted within the batch.
         point: usize,
     },
+    /// The law of the host on an interface failed, or answered with a number that is not finite.
+    InterfaceLaw(LawFault),
     /// The pattern would need more fibers or crossings than can be counted; the spacing is too small for the bodies.
     TooManyFibers {
         /// Number that would be needed.
@@ -340,8 +342,7 @@ pub enum Error {
         /// The limit.
         limit: f64,
     },
-    /// Lines along the boundary of a signed-distance obstacle that would need more steps than are taken: the resolution of
-    /// the obstacle, or the spacing of the lines, is too fine for the size of what is in contact.
+    /// Lines along a signed-distance obstacle that would need too many steps: its resolution, or the spacing of the lines, is too fine for the contact.
     UnfinishedLines {
         /// Obstacle.
         obstacle: usize,
@@ -357,8 +358,7 @@ pub enum Error {
         /// The limit.
         limit: usize,
     },
-    /// A result lies outside the range of a double: a stiffness times an overlap; or all coordinates are below 1e-75, or some above
-    /// 1e75, of which volumes and energies are powers.
+    /// A result is outside the range of a double: a stiffness times an overlap, or powers of coordinates that are all below 1e-75 or some above 1e75.
     Overflow {
         /// What overflowed.
         quantity: &'static str,

@@ -4,8 +4,10 @@
 //! move it) · `opposite` (points of a piece, and what lies opposite) · `covered` (what of facets pieces cover) · `frame` (how the normal of a
 //! facet turns) · `hold` (by which side) · `tie` (the rows of a tie) · `tie_energy` (its energy, forces and tangent) · `cohesive_law` (how an
 //! interface breaks) · `ppr_law` (another way) · `point_state` (what its points carry on) · `broken_friction` (where it is broken) · `cohesion` (its points) · `cohesive_energy` (as of a tie) · `glide` (surfaces that slide and do not separate) ·
-//! `glide_energy` (as of a tie) · `square` (second derivatives by the nodes of a piece)
+//! `glide_energy` (as of a tie) · `interface_law` (a law of the host), `law_check` (whether it is one) · `governed` (an interface that follows one), `governed_energy` (as of a tie), with `axes` (normal and axes of a
+//! facet) · `square` (second derivatives by the nodes of a piece)
 
+mod axes;
 mod between;
 mod broken_friction;
 mod cohesion;
@@ -17,7 +19,11 @@ mod facing_points;
 mod frame;
 mod glide;
 mod glide_energy;
+mod governed;
+mod governed_energy;
 mod hold;
+mod interface_law;
+mod law_check;
 mod near_facets;
 mod opposite;
 mod place;
@@ -37,6 +43,10 @@ pub use cohesive_law::{Cohesive, Softening};
 pub(crate) use facing_points::{FacingSurfaces, normal_of, shape_at};
 pub(crate) use glide::Glide;
 pub(crate) use glide_energy::GlideAt;
+pub(crate) use governed::Governed;
+pub(crate) use governed_energy::GovernedAt;
+pub use interface_law::{InterfaceLaw, LawFailure, LawPoints, LawResponse};
+pub use law_check::{LawCheck, LawReport, check_law};
 pub(crate) use point_state::PointState;
 pub use point_state::{PointDamage, PointHistory};
 pub use ppr_law::Ppr;

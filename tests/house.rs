@@ -46,6 +46,7 @@ const ROOMS: &[&str] = &[
     "contact/glides",
     "contact/flux",
     "contact/cohesive",
+    "contact/governed",
     "contact/work",
     "contact/history",
     "contact/derivatives",

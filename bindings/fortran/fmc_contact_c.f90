@@ -89,6 +89,7 @@ module fmc_contact_c
   integer(c_int32_t), parameter :: FMC_ERROR_INTERRUPTED = 64
   integer(c_int32_t), parameter :: FMC_ERROR_MEMORY = 65
   integer(c_int32_t), parameter :: FMC_ERROR_UNTIED = 66
+  integer(c_int32_t), parameter :: FMC_ERROR_INTERFACE_LAW = 67
   integer(c_int32_t), parameter :: FMC_CLASS_OK = 0
   integer(c_int32_t), parameter :: FMC_CLASS_INPUT = 1
   integer(c_int32_t), parameter :: FMC_CLASS_GEOMETRY = 2
@@ -143,6 +144,7 @@ module fmc_contact_c
   integer(c_int32_t), parameter :: FMC_INTERFACE_COHESIVE = 2
   integer(c_int32_t), parameter :: FMC_INTERFACE_NO_SEPARATION = 3
   integer(c_int32_t), parameter :: FMC_INTERFACE_ROUGH = 4
+  integer(c_int32_t), parameter :: FMC_INTERFACE_LAW = 5
   integer(c_int32_t), parameter :: FMC_SOFTENING_LINEAR = 0
   integer(c_int32_t), parameter :: FMC_SOFTENING_EXPONENTIAL = 1
   integer(c_int32_t), parameter :: FMC_SOFTENING_PPR = 2
@@ -321,6 +323,41 @@ module fmc_contact_c
     real(c_double) :: shear_shape
     real(c_double) :: normal_slope
     real(c_double) :: shear_slope
+    integer(c_int64_t) :: reserved(4)
+  end type
+
+  type, bind(c) :: fmc_law_points
+    integer(c_size_t) :: struct_size
+    integer(c_size_t) :: count
+    integer(c_size_t) :: dim
+    integer(c_size_t) :: history_count
+    integer(c_size_t) :: body
+    integer(c_size_t) :: partner
+    real(c_double) :: time_step
+    type(c_ptr) :: jump
+    type(c_ptr) :: axes
+    type(c_ptr) :: position
+    type(c_ptr) :: reference
+    type(c_ptr) :: area
+    type(c_ptr) :: history
+    integer(c_int64_t) :: reserved(4)
+  end type
+
+  type, bind(c) :: fmc_law_response
+    integer(c_size_t) :: struct_size
+    type(c_ptr) :: traction
+    type(c_ptr) :: tangent
+    type(c_ptr) :: history
+    type(c_ptr) :: stored
+    type(c_ptr) :: dissipated
+    integer(c_int64_t) :: reserved(4)
+  end type
+
+  type, bind(c) :: fmc_own_law
+    integer(c_size_t) :: struct_size
+    integer(c_size_t) :: history_count
+    type(c_funptr) :: respond
+    type(c_ptr) :: user
     integer(c_int64_t) :: reserved(4)
   end type
 
@@ -621,6 +658,20 @@ module fmc_contact_c
     integer(c_int64_t) :: reserved(3)
   end type
 
+  type, bind(c) :: fmc_law_point
+    integer(c_size_t) :: struct_size
+    integer(c_size_t) :: body
+    integer(c_size_t) :: partner
+    real(c_double) :: position(3)
+    real(c_double) :: area
+    real(c_double) :: axes(9)
+    real(c_double) :: jump(3)
+    real(c_double) :: traction(3)
+    real(c_double) :: stored
+    real(c_double) :: dissipated
+    integer(c_int64_t) :: reserved(4)
+  end type
+
   type, bind(c) :: fmc_boundary_facet
     integer(c_size_t) :: struct_size
     integer(c_size_t) :: body
@@ -747,6 +798,13 @@ module fmc_contact_c
       real(c_double), intent(inout) :: phi(*)
       real(c_double), intent(inout) :: grad(*)
       integer(c_int32_t) :: fmc_signed_distance
+    end function
+    function fmc_respond(user, points, response) bind(c)
+      import
+      type(c_ptr), value :: user
+      type(fmc_law_points), intent(in) :: points(*)
+      type(fmc_law_response), intent(in) :: response
+      integer(c_int32_t) :: fmc_respond
     end function
     function fmc_place(user, n, displacement, coords) bind(c)
       import
@@ -1061,6 +1119,34 @@ module fmc_contact_c
       integer(c_size_t), value :: b
       type(fmc_ppr), intent(inout), optional :: ppr
       integer(c_int32_t) :: fmc_context_ppr_pair
+    end function
+    function fmc_own_law_init(law) bind(c)
+      import
+      type(fmc_own_law), intent(inout), optional :: law
+      integer(c_int32_t) :: fmc_own_law_init
+    end function
+    function fmc_own_law_check(law, dim, scale, jump, jump_count, time_step, tell, user) bind(c)
+      import
+      type(fmc_own_law), intent(in), optional :: law
+      integer(c_size_t), value :: dim
+      real(c_double), value :: scale
+      real(c_double), intent(in), optional :: jump(*)
+      integer(c_size_t), value :: jump_count
+      real(c_double), value :: time_step
+      type(c_funptr), value :: tell
+      type(c_ptr), value :: user
+      integer(c_int32_t) :: fmc_own_law_check
+    end function
+    function fmc_context_set_law_pair(context, a_kind, a, b_kind, b, options, law) bind(c)
+      import
+      type(c_ptr), value :: context
+      integer(c_int32_t), value :: a_kind
+      integer(c_size_t), value :: a
+      integer(c_int32_t), value :: b_kind
+      integer(c_size_t), value :: b
+      type(fmc_pair_options), intent(in), optional :: options
+      type(fmc_own_law), intent(in), optional :: law
+      integer(c_int32_t) :: fmc_context_set_law_pair
     end function
     function fmc_context_evaluate(context, coords, forces, flags, result) bind(c)
       import
@@ -1553,6 +1639,15 @@ module fmc_contact_c
       integer(c_size_t), intent(inout), optional :: count
       integer(c_int32_t) :: fmc_context_cohesive_points
     end function
+    function fmc_context_law_points(context, coords, rows, capacity, count) bind(c)
+      import
+      type(c_ptr), value :: context
+      type(fmc_coords), intent(in), optional :: coords
+      type(fmc_law_point), intent(inout), optional :: rows(*)
+      integer(c_size_t), value :: capacity
+      integer(c_size_t), intent(inout), optional :: count
+      integer(c_int32_t) :: fmc_context_law_points
+    end function
     function fmc_context_boundary_facets(context, facets, capacity, count) bind(c)
       import
       type(c_ptr), value :: context
@@ -1642,6 +1737,21 @@ module fmc_contact_c
       type(c_ptr), value :: context
       real(c_double), value :: time_step
       integer(c_int32_t) :: fmc_context_set_time_step
+    end function
+    function fmc_context_law_history(context, history, capacity, count) bind(c)
+      import
+      type(c_ptr), value :: context
+      real(c_double), intent(inout), optional :: history(*)
+      integer(c_size_t), value :: capacity
+      integer(c_size_t), intent(inout), optional :: count
+      integer(c_int32_t) :: fmc_context_law_history
+    end function
+    function fmc_context_set_law_history(context, history, count) bind(c)
+      import
+      type(c_ptr), value :: context
+      real(c_double), intent(in), optional :: history(*)
+      integer(c_size_t), value :: count
+      integer(c_int32_t) :: fmc_context_set_law_history
     end function
     function fmc_context_multipliers(context, rows, capacity, count) bind(c)
       import

@@ -113,6 +113,7 @@ impl Host {
                 self.ties(*hole);
                 self.flux(reach.0, reach.0, *hole);
                 self.cohesive(*hole);
+                self.law_points(*hole);
             }
             Call::KeepPatches { forget, hole } => self.keep_patches(*forget, *hole),
             Call::SetOptions(from) => self.set_options(&options(from, self.mesh.is_ordinary())),

@@ -8,6 +8,8 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace fmc {
@@ -28,6 +30,21 @@ using SignedDistances = std::function<void(View<const double> x, View<double> di
 // Puts the nodes where they are at a displacement of the degrees of freedom on the list of a contact step: coordinates, (n, dim),
 // those of the start with the displacement added on the list.
 using Place = std::function<void(View<const double> displacement, View<double> coords)>;
+
+// Points of an interface at which your own law is asked, with the shapes that `fmc_law_points` says.
+struct LawPoints {
+  std::size_t count, dim, history_count, body, partner;
+  double time_step;
+  View<const double> jump, axes, position, reference, area, history;
+};
+
+// Where your own law writes its answer, as `fmc_law_response` says.
+struct LawResponse {
+  View<double> traction, tangent, history, stored, dissipated;
+};
+
+// Your own law of an interface: all entries of traction and tangent have to be written. See `fmc_respond`.
+using InterfaceLaw = std::function<void(const LawPoints &points, const LawResponse &response)>;
 
 namespace detail {
 
@@ -51,6 +68,7 @@ struct PlaceCall {
 struct DistanceCall;
 struct LogCall;
 struct InterruptCall;
+struct LawCall;
 using Distances = std::vector<std::unique_ptr<DistanceCall>>;
 
 // The functions of one context, and what one of them has thrown in the call that is running.
@@ -60,6 +78,8 @@ struct Callbacks {
   std::unique_ptr<InterruptCall> interrupt;
   // Of every obstacle that has any, those of its shape.
   std::map<std::size_t, Distances> distances;
+  // Of every pair of bodies that has one, the lower first.
+  std::map<std::pair<std::size_t, std::size_t>, std::unique_ptr<LawCall>> laws;
 
   void rethrow() {
     if (thrown) std::rethrow_exception(std::exchange(thrown, nullptr));
@@ -117,7 +137,52 @@ struct DistanceCall {
   }
 };
 
+struct LawCall {
+  InterfaceLaw function;
+  std::exception_ptr *thrown;
+
+  static int32_t run(void *user, const fmc_law_points *points, const fmc_law_response *response) noexcept {
+    auto &self = *static_cast<LawCall *>(user);
+    const auto &of = *points;
+    const auto &to = *response;
+    const auto n = of.count, rows = n * of.dim, squares = rows * of.dim, kept = n * of.history_count;
+    try {
+      self.function({n, of.dim, of.history_count, of.body, of.partner, of.time_step, {of.jump, rows}, {of.axes, squares},
+                     {of.position, rows}, {of.reference, rows}, {of.area, n}, {of.history, kept}},
+                    {{to.traction, rows}, {to.tangent, squares}, {to.history, kept}, {to.stored, n}, {to.dissipated, n}});
+      return 0;
+    } catch (...) {
+      *self.thrown = std::current_exception();
+      return -1;
+    }
+  }
+
+  fmc_own_law as_c(std::size_t history_count) {
+    fmc_own_law law;
+    check(fmc_own_law_init(&law));
+    law.history_count = history_count, law.respond = run, law.user = this;
+    return law;
+  }
+};
+
 }  // namespace detail
+
+// Sentences on your own law: whether the same question has the same answer, and whether its tangent is the derivative of its traction, at jumps
+// of this scale. What is wrong is thrown as `Error`. See `fmc_own_law_check`.
+inline std::vector<std::string> check_law(InterfaceLaw law, std::size_t history_count, int dim, double scale,
+                                          View<const double> jump = {}, double time_step = 0) {
+  std::exception_ptr thrown;
+  detail::LawCall call{std::move(law), &thrown};
+  const auto given = call.as_c(history_count);
+  std::vector<std::string> sentences;
+  const auto tell = [](void *user, int32_t, const char *text) { static_cast<std::vector<std::string> *>(user)->emplace_back(text); };
+  const auto each = static_cast<std::size_t>(dim);
+  if (dim < 2 || jump.size() % each != 0) detail::refuse(FMC_ERROR_LENGTH, "jump has one number for every axis of a point");
+  const auto status = fmc_own_law_check(&given, each, scale, jump.data(), jump.size() / each, time_step, tell, &sentences);
+  if (thrown) std::rethrow_exception(thrown);
+  check(status);
+  return sentences;
+}
 }  // namespace fmc
 
 #endif  // FMC_CONTACT_CALLBACKS_HPP

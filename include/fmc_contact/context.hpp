@@ -6,6 +6,7 @@
 #include "data.hpp"
 #include "shapes.hpp"
 
+#include <algorithm>
 #include <memory>
 
 namespace fmc {
@@ -520,6 +521,27 @@ class Context : public AddsShapes<Context> {
   // The same with shapes of the cohesive law of `FMC_SOFTENING_PPR`.
   void set_ppr_pair(Partner a, Partner b, const PairOptions &options, const Ppr &ppr) {
     call(fmc_context_set_ppr_pair(get(), a.kind, a.index, b.kind, b.index, &options, &ppr));
+  }
+  // The same with your own law for `FMC_INTERFACE_LAW`, of bodies a and b; every point keeps `history_count` numbers.
+  void set_law_pair(std::size_t a, std::size_t b, const PairOptions &options, InterfaceLaw law, std::size_t history_count = 0) {
+    auto next = std::make_unique<detail::LawCall>(detail::LawCall{std::move(law), &callbacks_->thrown});
+    const auto given = next->as_c(history_count);
+    // The place first: once the library has the pointer, nothing may fail.
+    auto &place = callbacks_->laws[std::minmax(a, b)];
+    call(fmc_context_set_law_pair(get(), FMC_PARTNER_BODY, a, FMC_PARTNER_BODY, b, &options, &given));
+    place = std::move(next);
+  }
+  // All points of interfaces by your own laws, in the order of their history.
+  std::vector<fmc_law_point> law_points(Coords coords) {
+    const auto x = coords.as_c(dim_);
+    return found<fmc_law_point>([&](auto... room) { return fmc_context_law_points(get(), &x, room...); });
+  }
+  // The history of all these points, after the steps that were committed.
+  std::vector<double> law_history() const {
+    return detail::rows<double>([&](auto... room) { return fmc_context_law_history(get(), room...); });
+  }
+  void set_law_history(View<const double> history) {
+    call(fmc_context_set_law_history(get(), history.data(), history.size()));
   }
   // The pair follows the options of the context again.
   void clear_pair_options(Partner a, Partner b) {

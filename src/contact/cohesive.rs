@@ -6,6 +6,7 @@ mod carried;
 mod held;
 mod results;
 
+pub(super) use carried::nearest;
 pub(super) use held::Cohesions;
 pub(super) use results::Breaking;
 pub use results::{CohesivePoint, CohesiveSummary};

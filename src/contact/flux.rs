@@ -14,6 +14,6 @@ mod shares;
 pub use conductance::Conductance;
 pub use found::ContactFlux;
 pub(crate) use of_bodies::of_bodies;
-pub(crate) use of_held::{HeldSurfaces, of_cohesion, of_glide, of_tie};
+pub(crate) use of_held::{HeldSurfaces, of_cohesion, of_glide, of_governed, of_tie};
 pub(crate) use of_obstacle::of_obstacle;
 pub use request::FluxRequest;

@@ -57,6 +57,7 @@ impl Error {
             | Error::NonFiniteStiffness { array: _, entry: _ }
             | Error::NoSuchNumber { array: _, entry: _, number: _ }
             | Error::BadEntry { array: _, entry: _, value: _ }
+            | Error::InterfaceLaw(_)
             | Error::SlipRow { row: _, what: _ }
             | Error::DegenerateHull { point_count: _ }
             | Error::TooFewHeights { axis: _, count: _ }

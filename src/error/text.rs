@@ -1,6 +1,6 @@
 //! The texts of errors.
 
-use super::{Error, MapPoint};
+use super::{Error, LawFault, MapPoint};
 use std::fmt;
 
 impl std::error::Error for Error {}
@@ -176,6 +176,11 @@ impl fmt::Display for Error {
                     "the signed distance of obstacle {obstacle} grows faster than a distance can: it is {p:.6e} at ({a:.6}, {b:.6}, {c:.6}) \
                      and {q:.6e} at ({d:.6}, {e:.6}, {g:.6}); divide it by its steepest slope"
                 )
+            }
+            Error::InterfaceLaw(LawFault { bodies: [a, b], point, cause }) => {
+                write!(f, "the law of the interface of bodies {a} and {b}")?;
+                point.map_or(Ok(()), |point| write!(f, ", at point {point}"))?;
+                write!(f, ": {cause}")
             }
             Error::SignedDistance { obstacle, point } => {
                 write!(

@@ -46,6 +46,8 @@ pub(crate) const SECTIONS: [Section; 20] = [
             "calls/options/pair_options",
             "calls/options/orthotropic_pair",
             "calls/options/ppr_pair",
+            "structs/own_law",
+            "calls/options/own_law_pair",
         ],
     ),
     (
@@ -91,6 +93,8 @@ pub(crate) const SECTIONS: [Section; 20] = [
             "calls/results/flux",
             "structs/cohesive",
             "calls/results/cohesive",
+            "structs/law_point",
+            "calls/results/law_points",
             "structs/boundary_facet",
             "calls/mesh/boundary_facets",
             "calls/mesh/point_weights",
@@ -98,7 +102,7 @@ pub(crate) const SECTIONS: [Section; 20] = [
             "calls/results/gradients",
         ],
     ),
-    ("Restart", &["calls/steps/slip", "calls/steps/damage", "calls/steps/multipliers"]),
+    ("Restart", &["calls/steps/slip", "calls/steps/damage", "calls/steps/law_history", "calls/steps/multipliers"]),
     (
         "Ranks, and a mesh in parts",
         &[

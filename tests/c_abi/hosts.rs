@@ -107,6 +107,20 @@ fn equilibrium_of_loose_blocks_in_cpp() {
     assert!(solves.and_then(|count| count.parse::<u32>().ok()).is_some_and(|count| count <= 10), "{printed}");
 }
 
+/// t = k δ + c δ³ on a side of length 1, by hand.
+#[test]
+fn a_law_of_the_host_in_c() {
+    let printed = output("own_law.c", Link::Shared);
+    let (checked, carried) = printed.split_once("opening").expect("steps");
+    assert!(checked.lines().count() == 3 && !checked.contains("WRONG"), "{checked}");
+    assert_eq!(
+        carried,
+        " 0.03  force 4.080000  energy 0.053100  largest opening 0.03\n\
+         opening 0.06  force 14.640000  energy 0.309600  largest opening 0.06\n\
+         opening 0.02  force 2.320000  energy 0.021600  largest opening 0.06\n"
+    );
+}
+
 #[test]
 fn arrays_of_cpp_hosts_in_any_container() {
     assert_eq!(output("arrays.cpp", Link::Shared), "0 failures\n");

@@ -173,6 +173,36 @@ int main() try {
     last.set_log(logged);
   }
   EXPECT(held.use_count() == 1);
+
+  // 8. A law of an interface that throws: the exception comes out of every call that asks it, and the context goes on.
+  {
+    std::vector<double> two = square;
+    for (std::size_t k = 0; k < square.size(); ++k) two.push_back(square[k] + (k % 2 == 0 ? 1 : 0));
+    std::vector<int32_t> both = {0, 1, 2, 3, 4, 5, 6, 7}, ids = {0, 1};
+    fmc::Context bonded(2, two, {{FMC_QUAD4, both}}, options, ids);
+    fmc::PairOptions own;
+    own.interface_kind = FMC_INTERFACE_LAW;
+    const auto copies = held.use_count();
+    int calls = 0;
+    bool is_tired = false;
+    const auto law = [&calls, &is_tired, held](const fmc::LawPoints &points, const fmc::LawResponse &response) {
+      if (++calls, is_tired) throw Tired{calls};
+      for (std::size_t i = 0; i < points.jump.size(); ++i) response.traction[i] = points.jump[i];
+      for (std::size_t i = 0; i < response.tangent.size(); ++i) response.tangent[i] = i % 4 == 0 || i % 4 == 3 ? 1 : 0;
+    };
+    bonded.set_law_pair(0, 1, own, law);
+    bonded.set_law_pair(1, 0, own, law);
+    EXPECT(held.use_count() == copies + 2);
+    for (std::size_t k = 8; k < 16; k += 2) two[k] += 0.1;
+    EXPECT(std::abs(bonded.evaluate(two).energy) == 0 && std::abs(bonded.body(1).force[0] + 0.1) < 1e-15);
+    is_tired = true, calls = 0;
+    EXPECT(tired(1, [&] { bonded.evaluate(two); }) && tired(2, [&] { bonded.law_points(two); }));
+    EXPECT(tired(3, [&] { fmc::check_law(law, 0, 2, 0.1); }));
+    is_tired = false;
+    bonded.evaluate(two);
+    EXPECT(std::abs(bonded.body(1).force[0] + 0.1) < 1e-15);
+  }
+  EXPECT(held.use_count() == 1);
   return report();
 } catch (const std::exception &error) {
   std::fprintf(stderr, "%s\n", error.what());

@@ -148,6 +148,37 @@ void forces_and_getters() {
   EXPECT(contact.pair_options(a, b).softening == FMC_SOFTENING_PPR && contact.cohesive(0, 1, coords).area > 0);
   ppr.shear_slope = 1;
   EXPECT(refused(FMC_ERROR_UNSUPPORTED, "shear_slope", [&] { contact.set_ppr_pair(a, b, own, ppr); }));
+  // A law of our own: linear springs, and how far they have opened.
+  const auto springs = [](const fmc::LawPoints &points, const fmc::LawResponse &response) {
+    for (std::size_t i = 0; i < points.count * points.dim; ++i) response.traction[i] = 3 * points.jump[i];
+    for (std::size_t i = 0; i < response.tangent.size(); ++i) response.tangent[i] = i % (points.dim * points.dim) % (points.dim + 1) == 0 ? 3 : 0;
+    for (std::size_t i = 0; i < points.count; ++i) response.history[i] = std::max(points.history[i], points.jump[i * points.dim]);
+  };
+  own = fmc::PairOptions();
+  EXPECT(refused(FMC_ERROR_OPTIONS_CONFLICT, "'law'", [&] { contact.set_law_pair(0, 1, own, springs, 1); }));
+  own.interface_kind = FMC_INTERFACE_LAW;
+  own.reach = 0.5;
+  EXPECT(refused(FMC_ERROR_UNSUPPORTED, "without the law", [&] { contact.set_pair_options(a, b, own); }));
+  contact.set_law_pair(1, 0, own, springs, 1);
+  contact.evaluate(coords);
+  pulled = 0;
+  for (const auto &point : contact.law_points(coords)) {
+    for (int axis = 0; axis < 2; ++axis) pulled -= point.traction[axis] * point.axes[3 * axis] * point.area;
+    EXPECT(point.traction[0] == 3 * point.jump[0] && point.body == 0 && point.partner == 1);
+  }
+  EXPECT(close(pulled, -contact.body(1).force[0], 1e-12) && contact.pair_options(b, a).interface_kind == FMC_INTERFACE_LAW);
+  auto opened = contact.law_history();
+  EXPECT(opened.size() == contact.law_points(coords).size());
+  opened[0] = 0.5;
+  contact.set_law_history(opened);
+  EXPECT(contact.law_history() == opened);
+  EXPECT(refused(FMC_ERROR_LENGTH, "history", [&] { contact.set_law_history({1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0}); }));
+  EXPECT(fmc::check_law(springs, 1, 2, 0.1).size() == 3 && fmc::check_law(springs, 1, 3, 0.1, {0.1, 0.2, 0.3}).size() == 3);
+  const auto wrong = [&](const fmc::LawPoints &points, const fmc::LawResponse &response) {
+    springs(points, response);
+    response.tangent[0] = 2;
+  };
+  EXPECT(refused(FMC_ERROR_INTERFACE_LAW, "derivative of traction 0 by jump 0 is given as 2", [&] { fmc::check_law(wrong, 1, 2, 0.1); }));
   // Another coefficient across a direction is one of space.
   own = fmc::PairOptions();
   own.friction_coefficient = 0.5;

@@ -128,6 +128,35 @@ impl Host {
         }
     }
 
+    /// Interfaces by a law of the host at the coordinates, and their history, which is put back.
+    pub(super) fn law_points(&mut self, hole: Hole) {
+        let array = Array::new(&self.mesh.coords, self.mesh.dim, Layout::Rows);
+        let (view, mut count, mut numbers) = (array.view, 77usize, 77usize);
+        // SAFETY: as in `gaps`.
+        unsafe {
+            let coords = unless(hole, 0, (&raw const view).cast_mut());
+            let (none, nothing) = (std::ptr::null_mut(), std::ptr::null_mut());
+            let status = fmc_context_law_points(self.context, coords, none, 0, unless(hole, 1, &raw mut count));
+            if checked(status) != OK || hole == 1 {
+                assert_eq!(count, 77);
+                return;
+            }
+            let blank = std::mem::MaybeUninit::<fmc_law_point>::zeroed().assume_init();
+            let rows = Guarded::new(&vec![blank; count]);
+            let status = fmc_context_law_points(self.context, coords, rows.ptr(), count, std::ptr::null_mut());
+            assert_eq!(checked(status), OK);
+            assert!(rows.values().iter().all(|row| row.struct_size == size_of::<fmc_law_point>()));
+            assert_eq!(checked(fmc_context_law_history(self.context, nothing, 0, &raw mut numbers)), OK);
+            assert_eq!(numbers, count);
+            let history = Guarded::new(&vec![0.0; numbers]);
+            let filled = fmc_context_law_history(self.context, history.ptr(), numbers, std::ptr::null_mut());
+            assert_eq!(checked(filled), OK);
+            let given = unless(hole, 4, history.ptr()).cast_const();
+            let status = checked(fmc_context_set_law_history(self.context, given, numbers));
+            assert!(status == OK || hole == 4);
+        }
+    }
+
     /// Ties at the coordinates, and as equations.
     pub(super) fn ties(&mut self, hole: Hole) {
         let array = Array::new(&self.mesh.coords, self.mesh.dim, Layout::Rows);

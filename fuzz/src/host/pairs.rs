@@ -4,6 +4,7 @@ use super::Host;
 use super::array::{checked, unless};
 use crate::interface::*;
 use crate::program::{Hole, PairOptions};
+use std::ffi::c_void;
 
 impl Host {
     pub(super) fn set_pair(&mut self, from: &PairOptions, hole: Hole) {
@@ -53,8 +54,9 @@ impl Host {
             }
             options.excluded = i32::from(from.excluded % 3);
             // All kinds, and one that is none.
-            options.interface_kind = i32::from(from.excluded / 43);
-            options.reach = if (43..172).contains(&from.excluded) { from.stiffness.0 } else { 0.0 };
+            options.interface_kind = i32::from(from.excluded / 37);
+            let has_reach = (1..4).contains(&options.interface_kind) || options.interface_kind == FMC_INTERFACE_LAW;
+            options.reach = if has_reach { from.stiffness.0 } else { 0.0 };
             if options.interface_kind == FMC_INTERFACE_COHESIVE {
                 // All are said, so that all come back.
                 (options.normal_strength, options.shear_strength) = (1.0, from.stiffness.0);
@@ -82,8 +84,45 @@ impl Host {
             if from.law % 4 == 2 {
                 set_ppr_pair(context, from, [(a_kind, a), (b_kind, b)], &raw const options);
             }
+            if from.law % 4 == 1 {
+                let kind = if from.excluded % 4 == 3 { options.interface_kind } else { FMC_INTERFACE_LAW };
+                let options = fmc_pair_options { interface_kind: kind, ..options };
+                let mut law = std::mem::MaybeUninit::<fmc_own_law>::zeroed().assume_init();
+                assert_eq!(fmc_own_law_init(&raw mut law), OK);
+                law.history_count = 1;
+                law.respond = Some(spring);
+                let before = found();
+                let given = unless(hole, 1, &raw mut law).cast_const();
+                let status =
+                    checked(fmc_context_set_law_pair(context, a_kind, a, b_kind, b, &raw const options, given));
+                assert!(if status == OK { found() == (OK, options) } else { found() == before });
+            }
         }
     }
+}
+
+/// A law of the host: springs, with the largest opening, or what is no number where they are pulled far apart.
+///
+/// # Safety
+/// The library passes arrays as long as it says.
+unsafe extern "C" fn spring(_: *mut c_void, points: *const fmc_law_points, response: *const fmc_law_response) -> i32 {
+    // SAFETY: as above.
+    unsafe {
+        let (of, to) = (&*points, &*response);
+        for place in 0..of.count * of.dim {
+            let jump = *of.jump.add(place);
+            to.traction.add(place).write(if jump > 1e3 { f64::NAN } else { 3.0 * jump });
+            for column in 0..of.dim {
+                let is_own = place % of.dim == column;
+                to.tangent.add(place * of.dim + column).write(if is_own { 3.0 } else { 0.0 });
+            }
+        }
+        for point in 0..of.count {
+            let (before, now) = (*of.history.add(point), *of.jump.add(point * of.dim));
+            to.history.add(point).write(before.max(now));
+        }
+    }
+    0
 }
 
 /// The same options with a direction, which come back or leave what was there.

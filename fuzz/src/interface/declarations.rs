@@ -84,6 +84,7 @@ pub const FMC_ERROR_NO_STIFFNESS: i32 = 63;
 pub const FMC_ERROR_INTERRUPTED: i32 = 64;
 pub const FMC_ERROR_MEMORY: i32 = 65;
 pub const FMC_ERROR_UNTIED: i32 = 66;
+pub const FMC_ERROR_INTERFACE_LAW: i32 = 67;
 pub const FMC_CLASS_OK: i32 = 0;
 pub const FMC_CLASS_INPUT: i32 = 1;
 pub const FMC_CLASS_GEOMETRY: i32 = 2;
@@ -138,6 +139,7 @@ pub const FMC_INTERFACE_TIED: i32 = 1;
 pub const FMC_INTERFACE_COHESIVE: i32 = 2;
 pub const FMC_INTERFACE_NO_SEPARATION: i32 = 3;
 pub const FMC_INTERFACE_ROUGH: i32 = 4;
+pub const FMC_INTERFACE_LAW: i32 = 5;
 pub const FMC_SOFTENING_LINEAR: i32 = 0;
 pub const FMC_SOFTENING_EXPONENTIAL: i32 = 1;
 pub const FMC_SOFTENING_PPR: i32 = 2;
@@ -195,6 +197,8 @@ pub type fmc_log_callback = Option<unsafe extern "C" fn(user: *mut c_void, level
 pub type fmc_interrupt_callback = Option<unsafe extern "C" fn(user: *mut c_void) -> i32>;
 
 pub type fmc_signed_distance = Option<unsafe extern "C" fn(user: *mut c_void, n: usize, x: *const f64, phi: *mut f64, grad: *mut f64) -> i32>;
+
+pub type fmc_respond = Option<unsafe extern "C" fn(user: *mut c_void, points: *const fmc_law_points, response: *const fmc_law_response) -> i32>;
 
 pub type fmc_place = Option<unsafe extern "C" fn(user: *mut c_void, n: usize, displacement: *const f64, coords: *mut f64) -> i32>;
 
@@ -367,6 +371,47 @@ pub struct fmc_ppr {
     pub shear_shape: f64,
     pub normal_slope: f64,
     pub shear_slope: f64,
+    pub reserved: [u64; 4],
+}
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct fmc_law_points {
+    pub struct_size: usize,
+    pub count: usize,
+    pub dim: usize,
+    pub history_count: usize,
+    pub body: usize,
+    pub partner: usize,
+    pub time_step: f64,
+    pub jump: *const f64,
+    pub axes: *const f64,
+    pub position: *const f64,
+    pub reference: *const f64,
+    pub area: *const f64,
+    pub history: *const f64,
+    pub reserved: [u64; 4],
+}
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct fmc_law_response {
+    pub struct_size: usize,
+    pub traction: *mut f64,
+    pub tangent: *mut f64,
+    pub history: *mut f64,
+    pub stored: *mut f64,
+    pub dissipated: *mut f64,
+    pub reserved: [u64; 4],
+}
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default)]
+pub struct fmc_own_law {
+    pub struct_size: usize,
+    pub history_count: usize,
+    pub respond: fmc_respond,
+    pub user: *mut c_void,
     pub reserved: [u64; 4],
 }
 
@@ -715,6 +760,22 @@ pub struct fmc_cohesive_point {
 
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct fmc_law_point {
+    pub struct_size: usize,
+    pub body: usize,
+    pub partner: usize,
+    pub position: [f64; 3],
+    pub area: f64,
+    pub axes: [f64; 9],
+    pub jump: [f64; 3],
+    pub traction: [f64; 3],
+    pub stored: f64,
+    pub dissipated: f64,
+    pub reserved: [u64; 4],
+}
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct fmc_boundary_facet {
     pub struct_size: usize,
     pub body: usize,
@@ -878,6 +939,9 @@ unsafe extern "C" {
     pub fn fmc_ppr_init(ppr: *mut fmc_ppr) -> fmc_status;
     pub fn fmc_context_set_ppr_pair(context: *mut fmc_context, a_kind: i32, a: usize, b_kind: i32, b: usize, options: *const fmc_pair_options, ppr: *const fmc_ppr) -> fmc_status;
     pub fn fmc_context_ppr_pair(context: *const fmc_context, a_kind: i32, a: usize, b_kind: i32, b: usize, ppr: *mut fmc_ppr) -> fmc_status;
+    pub fn fmc_own_law_init(law: *mut fmc_own_law) -> fmc_status;
+    pub fn fmc_own_law_check(law: *const fmc_own_law, dim: usize, scale: f64, jump: *const f64, jump_count: usize, time_step: f64, tell: fmc_log_callback, user: *mut c_void) -> fmc_status;
+    pub fn fmc_context_set_law_pair(context: *mut fmc_context, a_kind: i32, a: usize, b_kind: i32, b: usize, options: *const fmc_pair_options, law: *const fmc_own_law) -> fmc_status;
     pub fn fmc_context_evaluate(context: *mut fmc_context, coords: *const fmc_coords, forces: *const fmc_forces, flags: u32, result: *mut fmc_result) -> fmc_status;
     pub fn fmc_context_body_resultant(context: *const fmc_context, index: usize, body: *mut fmc_resultant) -> fmc_status;
     pub fn fmc_context_obstacle_resultant(context: *const fmc_context, index: usize, obstacle: *mut fmc_resultant) -> fmc_status;
@@ -938,6 +1002,7 @@ unsafe extern "C" {
     pub fn fmc_context_friction_heat(context: *mut fmc_context, coords: *const fmc_coords, effusivities: *const f64, heat: *mut f64, obstacle_heat: *mut f64) -> fmc_status;
     pub fn fmc_context_cohesive(context: *mut fmc_context, a: usize, b: usize, coords: *const fmc_coords, cohesive: *mut fmc_cohesive) -> fmc_status;
     pub fn fmc_context_cohesive_points(context: *mut fmc_context, coords: *const fmc_coords, rows: *mut fmc_cohesive_point, capacity: usize, count: *mut usize) -> fmc_status;
+    pub fn fmc_context_law_points(context: *mut fmc_context, coords: *const fmc_coords, rows: *mut fmc_law_point, capacity: usize, count: *mut usize) -> fmc_status;
     pub fn fmc_context_boundary_facets(context: *const fmc_context, facets: *mut fmc_boundary_facet, capacity: usize, count: *mut usize) -> fmc_status;
     pub fn fmc_context_point_weights(context: *const fmc_context, row_offsets: *mut c_void, offset_capacity: usize, offset_count: *mut usize, nodes: *mut c_void, weights: *mut f64, capacity: usize, count: *mut usize) -> fmc_status;
     pub fn fmc_gradients_init(gradients: *mut fmc_gradients) -> fmc_status;
@@ -949,6 +1014,8 @@ unsafe extern "C" {
     pub fn fmc_context_cohesive_history(context: *const fmc_context, history: *mut f64, capacity: usize, count: *mut usize) -> fmc_status;
     pub fn fmc_context_set_cohesive_history(context: *mut fmc_context, history: *const f64, count: usize) -> fmc_status;
     pub fn fmc_context_set_time_step(context: *mut fmc_context, time_step: f64) -> fmc_status;
+    pub fn fmc_context_law_history(context: *const fmc_context, history: *mut f64, capacity: usize, count: *mut usize) -> fmc_status;
+    pub fn fmc_context_set_law_history(context: *mut fmc_context, history: *const f64, count: usize) -> fmc_status;
     pub fn fmc_context_multipliers(context: *const fmc_context, rows: *mut fmc_multiplier, capacity: usize, count: *mut usize) -> fmc_status;
     pub fn fmc_context_set_multipliers(context: *mut fmc_context, rows: *const fmc_multiplier, count: usize) -> fmc_status;
     pub fn fmc_communicator_init(communicator: *mut fmc_communicator) -> fmc_status;

@@ -146,6 +146,8 @@ pub enum fmc_status {
     FMC_ERROR_MEMORY = 65,
     /// Two bodies are tied, and face one another nowhere within reach.
     FMC_ERROR_UNTIED = 66,
+    /// The law of the host on an interface failed, or left a number that is not finite; or its derivative is none (`fmc_law_check`).
+    FMC_ERROR_INTERFACE_LAW = 67,
 }
 
 use fmc_status::*;
@@ -219,6 +221,7 @@ const NAMES: &[(fmc_status, &CStr)] = &[
     (FMC_ERROR_INTERRUPTED, c"FMC_ERROR_INTERRUPTED"),
     (FMC_ERROR_MEMORY, c"FMC_ERROR_MEMORY"),
     (FMC_ERROR_UNTIED, c"FMC_ERROR_UNTIED"),
+    (FMC_ERROR_INTERFACE_LAW, c"FMC_ERROR_INTERFACE_LAW"),
 ];
 
 impl From<&Error> for fmc_status {
@@ -264,6 +267,7 @@ impl From<&Error> for fmc_status {
             Error::NoStep => FMC_ERROR_NO_STEP,
             Error::NoStiffness => FMC_ERROR_NO_STIFFNESS,
             Error::Untied { .. } => FMC_ERROR_UNTIED,
+            Error::InterfaceLaw(_) => FMC_ERROR_INTERFACE_LAW,
             Error::Interrupted => FMC_ERROR_INTERRUPTED,
             Error::Memory { .. } => FMC_ERROR_MEMORY,
             Error::DegenerateHull { .. } => FMC_ERROR_DEGENERATE_HULL,
@@ -309,7 +313,7 @@ mod tests {
         for (code, name) in NAMES {
             assert_eq!(name.to_str().unwrap(), format!("{code:?}"));
         }
-        assert_eq!(NAMES.last().unwrap().0, FMC_ERROR_UNTIED);
+        assert_eq!(NAMES.last().unwrap().0, FMC_ERROR_INTERFACE_LAW);
     }
 
     #[test]
@@ -337,6 +341,7 @@ mod tests {
             Error::NoStep,
             Error::NoStiffness,
             Error::Untied { bodies: [0, 1], distances: [0.1, 0.3], held: "tied" },
+            Error::InterfaceLaw(crate::LawFault { bodies: [0, 1], point: Some(2), cause: "of this".to_owned() }),
             Error::NonFiniteSlip { facet: 0 },
             Error::NegativeRadius { node: 0, radius: -1.0 },
             Error::NonConforming { cells: [0, 1] },

@@ -52,6 +52,7 @@ fn class_of(status: fmc_status) -> fmc_status_class_value {
         | FMC_ERROR_INDEX_OUT_OF_RANGE
         | FMC_ERROR_UNSUPPORTED
         | FMC_ERROR_SIGNED_DISTANCE
+        | FMC_ERROR_INTERFACE_LAW
         | FMC_ERROR_TOO_FEW_HEIGHTS
         | FMC_ERROR_NON_FINITE_HEIGHT
         | FMC_ERROR_EMPTY_COMPOUND

@@ -5,6 +5,7 @@ pub(super) mod context_options;
 pub(super) mod interrupt;
 pub(super) mod option_keys;
 pub(super) mod orthotropic_pair;
+pub(super) mod own_law_pair;
 mod pair_conversion;
 pub(super) mod pair_interface;
 pub(super) mod pair_options;

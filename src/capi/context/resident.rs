@@ -8,6 +8,7 @@
 
 mod cohesive;
 mod flux;
+mod governed;
 mod gradients;
 mod mesh;
 mod partners;

@@ -37,12 +37,13 @@ pub(crate) fn commit<const D: usize>(contact: &mut Contact<D>, coords: &[[f64; D
     let pairs = kernels::slip_facets(contact, coords)?;
     let points = contact.mesh.points(coords)?;
     let damage = contact.at_points(&points, |at| contact.cohesions.damaged(at))?;
+    let of_laws = contact.at_points(&points, |at| contact.governed.gone_on(at))?;
     let glides = contact.glides.moved_on(&contact.mesh, contact.method.weighting(), &points)?;
     let slip = pairs.iter().flat_map(SlipFacets::carried).collect();
     let next = step_at(contact, coords, slip)?;
     let bearings = bearings(contact, || Ok(pairs))?;
     contact.history.begin(next, bearings);
-    contact.history.damage = damage;
+    (contact.history.damage, contact.history.of_laws) = (damage, of_laws);
     contact.glides = glides;
     Ok(())
 }

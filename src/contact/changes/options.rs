@@ -3,6 +3,7 @@
 use super::added_ties;
 use crate::Error;
 use crate::contact::evaluation::Contact;
+use crate::contact::governed::OwnLaw;
 use crate::contact::mesh::Mesh;
 use crate::contact::method::{Method, Options};
 use crate::contact::partners::{Interface, LayerStiffness, PairOptions};
@@ -44,11 +45,13 @@ pub(crate) fn set<const D: usize>(contact: &mut Contact<D>, options: Options) ->
     Ok(())
 }
 
-/// Sets the options of one pair, `None`: those of the contact. On an error the old ones stay.
+/// Sets the options of one pair, `None`: those of the contact, with the law of its interface where that is one of the host. On an error the old
+/// ones stay.
 pub(crate) fn set_pair<const D: usize>(
     contact: &mut Contact<D>,
     partners: [Partner; 2],
     options: Option<PairOptions>,
+    own_law: Option<&OwnLaw>,
 ) -> Result<(), Error> {
     let pair = contact.partners.checked_pair(partners, contact.mesh.surface.body_count())?;
     let options = if pair == partners { options } else { options.map(PairOptions::swapped) };
@@ -64,7 +67,7 @@ pub(crate) fn set_pair<const D: usize>(
     }
     let own_before = contact.partners.table.options(&pair);
     contact.partners.set_pair_options(pair, options, &of_contact)?;
-    if let Err(error) = set_interface(contact, pair, options) {
+    if let Err(error) = set_interface(contact, pair, options, own_law) {
         contact.partners.set_pair_options(pair, own_before, &of_contact)?;
         return Err(error);
     }
@@ -93,14 +96,15 @@ fn check_carrier<const D: usize>(mesh: &Mesh<D>, carrier: Partner) -> Result<(),
     }
 }
 
-/// Ties a pair, or holds it together by an interface that breaks, or releases it.
+/// Ties a pair, or holds it together by an interface that breaks or follows a law of the host, or releases it.
 fn set_interface<const D: usize>(
     contact: &mut Contact<D>,
     pair: [Partner; 2],
     options: Option<PairOptions>,
+    own_law: Option<&OwnLaw>,
 ) -> Result<(), Error> {
     let [Partner::Body(a), Partner::Body(b)] = pair else { return Ok(()) };
-    let Contact { mesh, method, ties, glides, cohesions, history, .. } = contact;
+    let Contact { mesh, method, ties, glides, cohesions, governed, history, .. } = contact;
     let (interface, surfaces) = options.map_or((Interface::Contact, None), |own| (own.held(), own.surfaces));
     let between = |reach, [in_parts, without_cells]: [&'static str; 2]| {
         let between = mesh.between([a, b], surfaces, reach)?;
@@ -108,7 +112,7 @@ fn set_interface<const D: usize>(
         mesh.surface.cells.as_ref().map(|_| between).ok_or(Error::Unsupported { what: without_cells })
     };
     let on = (&*mesh, method.weighting());
-    let mut is_new = false;
+    let (mut is_new, mut is_new_law) = (false, false);
     match interface {
         Interface::Tied { reach } => {
             let names = ["bodies that are tied, of a mesh in parts", "bodies that are tied, without cells"];
@@ -124,6 +128,14 @@ fn set_interface<const D: usize>(
             let kept = ((own, None), |kept: &(Cohesive, _)| kept.0 == own);
             is_new = cohesions.set(between(own.reach, names)?, kept, on)?;
         }
+        Interface::Law { reach } => {
+            let names =
+                ["an interface by your own law, of a mesh in parts", "an interface by your own law, without cells"];
+            let without = Error::Unsupported { what: "an interface by your own law without the law" };
+            let law = own_law.cloned().or_else(|| governed.law([a, b])).ok_or(without)?;
+            let kept = ((law.clone(), None), |kept: &(OwnLaw, _)| kept.0.is(&law));
+            is_new_law = governed.set(between(reach, names)?, kept, on)?;
+        }
         Interface::Contact | Interface::Rough => {}
     }
     // What held the pair before goes once nothing can fail any more.
@@ -136,16 +148,20 @@ fn set_interface<const D: usize>(
     if is_new || !matches!(interface, Interface::Cohesive(_)) && cohesions.release([a, b]) {
         history.damage.remove(&[a, b]);
     }
+    if is_new_law || !matches!(interface, Interface::Law { .. }) && governed.release([a, b]) {
+        history.of_laws.remove(&[a, b]);
+    }
     take_out_of_contact(contact);
     Ok(())
 }
 
-/// Finds ties and cohesive interfaces on another mesh without deformation; what is broken stays so.
+/// Finds what holds bodies together on another mesh without deformation; what is broken stays so.
 pub(crate) fn find_interfaces_again<const D: usize>(contact: &mut Contact<D>) {
-    let Contact { mesh, method, ties, glides, cohesions, history, .. } = contact;
+    let Contact { mesh, method, ties, glides, cohesions, governed, history, .. } = contact;
     glides.find_again(mesh, method.weighting());
     ties.find_again(mesh, method.weighting());
     cohesions.find_again(mesh, method.weighting(), &mut history.damage);
+    governed.find_again(mesh, method.weighting(), &mut history.of_laws);
     take_out_of_contact(contact);
 }
 

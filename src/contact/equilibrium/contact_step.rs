@@ -63,8 +63,8 @@ impl<const D: usize> Contact<D> {
         }
         let checked = Checked::new(bodies, expected * D)?;
         let has_energy = self.history.frozen.is_some() || !self.partners.has_friction(self.method.options());
-        // The tangent of an interface that breaks is not symmetric.
-        let has_energy = has_energy && self.cohesions.is_empty();
+        // The tangent of an interface that breaks, or of one by a law of the host, is not symmetric.
+        let has_energy = has_energy && !self.has_history();
         let mut contact = Kept::new(self, coords, bodies, place);
         solve::solve(&checked, &mut contact, options, has_energy)
     }

@@ -48,20 +48,28 @@ impl<const D: usize> Contact<D> {
     }
 
     /// By row of coordinates the largest stiffness by area of what may press or pull there: of the laws, which ties and bodies that do not
-    /// separate have too, and of a cohesive interface that the row moves. Damage makes an interface no stiffer.
+    /// separate have too, and of a cohesive interface that the row moves. Damage makes an interface no stiffer;
+    /// a law of the host is asked without a jump.
     pub(crate) fn stiffness_by_row(&self) -> Vec<f64> {
         let of_laws = self.partners.laws(&self.method).filter_map(|law| law.initial_stiffness()).fold(0.0, f64::max);
         let has_stiffer = self.has_ties() && self.method.options().law.is_without_stiffness();
         let of_laws = if has_stiffer { TIED * of_laws } else { of_laws };
         let mut by_row = vec![of_laws; self.mesh.surface.unknown_count()];
-        if self.cohesions.is_empty() {
+        if !self.has_history() {
             return by_row;
         }
         let weights = self.mesh.surface.point_weights();
         // One that is not on this mesh is an error of every evaluation.
-        for (cohesion, (options, _)) in self.cohesions.all().flatten() {
-            let most = CohesiveLaw::new(options).largest_stiffness();
-            for &node in &cohesion.nodes {
+        let cohesive = self
+            .cohesions
+            .all()
+            .flatten()
+            .map(|(cohesion, (options, _))| (&cohesion.nodes, CohesiveLaw::new(options).largest_stiffness()));
+        let undeformed = self.mesh.placed(self.mesh.surface.reference().into());
+        let governed = self.at_points(&undeformed, |at| self.governed.there(at)).unwrap_or_default();
+        let governed = governed.iter().map(|(held, at, _)| (&held.points.nodes, at.largest_stiffness()));
+        for (nodes, most) in cohesive.chain(governed) {
+            for &node in nodes {
                 for (row, weight) in weights.row(node as usize) {
                     let stiffness = &mut by_row[row as usize];
                     *stiffness = if weight == 0.0 { *stiffness } else { stiffness.max(most) };

@@ -6,7 +6,7 @@ use super::points::Points;
 use super::walk::for_each_pair_within;
 use crate::Error;
 use crate::contact::flux::{
-    Conductance, FluxRequest, HeldSurfaces, of_bodies, of_cohesion, of_glide, of_obstacle, of_tie,
+    Conductance, FluxRequest, HeldSurfaces, of_bodies, of_cohesion, of_glide, of_governed, of_obstacle, of_tie,
 };
 use crate::overlap::{Block, Partner, merged};
 
@@ -36,7 +36,7 @@ fn through_interfaces<const D: usize>(
     points: &[[f64; D]],
     conductance: &Conductance,
 ) -> Result<Vec<Vec<Block<1>>>, Error> {
-    let Contact { mesh, method, ties, glides, cohesions, .. } = contact;
+    let Contact { mesh, method, ties, glides, cohesions, governed, .. } = contact;
     let mut parts = Vec::new();
     if !contact.has_held() {
         return Ok(parts);
@@ -54,6 +54,9 @@ fn through_interfaces<const D: usize>(
     }
     for (cohesion, at, _) in contact.at_points(points, |at| cohesions.there(at))? {
         parts.push(of_cohesion(cohesion, &at, conductance));
+    }
+    for (held, at, _) in contact.at_points(points, |at| governed.there(at))? {
+        parts.push(of_governed(held, &at, conductance));
     }
     Ok(parts)
 }

@@ -32,6 +32,9 @@ pub(super) fn gradients_in<const D: usize>(
     if !contact.cohesions.is_empty() {
         return Err(Error::Unsupported { what: "derivatives with a cohesive interface" });
     }
+    if !contact.governed.is_empty() {
+        return Err(Error::Unsupported { what: "derivatives with an interface by your own law" });
+    }
     if !slip.is_empty() && (request.needs_tangent() || request.reference) {
         let what = "the derivative of the slip at the end of a step by coordinates, poses and gap offsets";
         return Err(Error::Unsupported { what });

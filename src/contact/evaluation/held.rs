@@ -12,9 +12,14 @@ impl<const D: usize> Contact<D> {
         !(self.ties.is_empty() && self.glides.is_empty())
     }
 
+    /// Whether interfaces hold bodies together that carry something from step to step.
+    pub(crate) fn has_history(&self) -> bool {
+        !(self.cohesions.is_empty() && self.governed.is_empty())
+    }
+
     /// Whether anything holds bodies together.
     pub(crate) fn has_held(&self) -> bool {
-        self.has_ties() || !self.cohesions.is_empty()
+        self.has_ties() || self.has_history()
     }
 
     /// Has something asked at points of the mesh.
@@ -28,12 +33,14 @@ impl<const D: usize> Contact<D> {
             let mut answers = self.ties.answers(at, wanted)?;
             answers.extend(self.glides.answers(at, wanted)?);
             answers.extend(self.cohesions.answers(at, wanted)?);
+            answers.extend(self.governed.answers(at, wanted)?);
             Ok(answers)
         })
     }
 
     /// Facets that are held of pairs of which parts alone are to be.
     pub(crate) fn held_facets(&self) -> impl Iterator<Item = ([usize; 2], &HeldFacets)> {
-        self.ties.facets().chain(self.glides.facets()).chain(self.cohesions.facets())
+        let in_motion = self.cohesions.facets().chain(self.governed.facets());
+        self.ties.facets().chain(self.glides.facets()).chain(in_motion)
     }
 }

@@ -4,6 +4,7 @@ use super::state::LastState;
 use crate::Error;
 use crate::contact::cohesive::Cohesions;
 use crate::contact::glides::Glides;
+use crate::contact::governed::GovernedInterfaces;
 use crate::contact::held::Past;
 use crate::contact::history::History;
 use crate::contact::mesh::Mesh;
@@ -27,15 +28,17 @@ pub struct Contact<const D: usize> {
     pub(crate) ties: Ties<D>,
     pub(crate) glides: Glides<D>,
     pub(crate) cohesions: Cohesions<D>,
+    pub(crate) governed: GovernedInterfaces<D>,
     /// Nothing that any result depends on.
     pub(crate) state: LastState<D>,
 }
 
 impl<const D: usize> Contact<D> {
-    /// What its cohesive interfaces are asked with.
+    /// What its interfaces with a history are asked with.
     pub(crate) fn past(&self) -> Past<'_, D> {
         let Self { partners, method, history, .. } = self;
-        Past { damage: &history.damage, time_step: history.time_step, partners, options: method.options() }
+        let (damage, of_laws) = (&history.damage, &history.of_laws);
+        Past { damage, of_laws, time_step: history.time_step, partners, options: method.options() }
     }
 }
 
@@ -51,6 +54,7 @@ pub(crate) fn assemble<const D: usize>(surface: Surface<D>, options: Options) ->
         ties: Ties::default(),
         glides: Glides::default(),
         cohesions: Cohesions::default(),
+        governed: GovernedInterfaces::default(),
         state: LastState::new(),
     })
 }

@@ -3,7 +3,7 @@
 use super::conductance::Conductance;
 use super::shares::Shares;
 use crate::geometry::{Surface, Vector, Weighting};
-use crate::interfaces::{Cohesion, CohesionAt, FacingSurfaces, Glide, GlideAt, Tie, normal_of};
+use crate::interfaces::{Cohesion, CohesionAt, FacingSurfaces, Glide, GlideAt, Governed, GovernedAt, Tie, normal_of};
 use crate::overlap::Block;
 use std::collections::BTreeMap;
 
@@ -79,18 +79,41 @@ pub(crate) fn of_cohesion<const D: usize>(
     at: &CohesionAt<D>,
     conductance: &Conductance,
 ) -> Vec<Block<1>> {
+    over_points(
+        cohesion,
+        conductance,
+        at.points().map(|(_, state)| [state.now().damage, state.pressure(), state.opening]),
+    )
+}
+
+/// The same of an interface by a law of the host: as surfaces that touch or are as far apart as it has opened.
+pub(crate) fn of_governed<const D: usize>(
+    held: &Governed<D>,
+    at: &GovernedAt<D>,
+    conductance: &Conductance,
+) -> Vec<Block<1>> {
+    let count = held.points.points.len();
+    let state = |number: usize| [1.0, (-at.traction(number)[0]).max(0.0), at.jump(number)[0]];
+    over_points(&held.points, conductance, (0..count).map(state))
+}
+
+/// By damage, pressure and opening of every point.
+fn over_points<const D: usize>(
+    interface: &Cohesion<D>,
+    conductance: &Conductance,
+    states: impl Iterator<Item = [f64; 3]>,
+) -> Vec<Block<1>> {
     let mut shares = Shares::default();
     let mut moved: Vec<u32> = Vec::new();
-    for (point, state) in at.points() {
-        let [own, other] = cohesion.sides(point);
+    for (point, [damage, pressure, opening]) in interface.points.iter().zip(states) {
+        let [own, other] = interface.sides(point);
         let nodes = || own.iter().chain(&other).map(|(node, _)| *node);
         if !nodes().eq(moved.iter().copied()) {
             shares.end_part();
             moved = nodes().collect();
         }
-        let damage = state.now().damage;
-        let whole = conductance.pressed(state.pressure());
-        let broken = if state.opening > 0.0 { conductance.apart(state.opening) } else { whole };
+        let whole = conductance.pressed(pressure);
+        let broken = if opening > 0.0 { conductance.apart(opening) } else { whole };
         shares.add(((1.0 - damage) * whole + damage * broken) * point.measure, &own, &other);
     }
     shares.into_sum().into_blocks()

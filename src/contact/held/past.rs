@@ -1,4 +1,4 @@
-//! What cohesive interfaces are asked with: what they have been through, the friction of the pair, and how long the step takes.
+//! What interfaces that have a history are asked with: what they have been through, the friction of the pair, and how long the step takes.
 
 use crate::Error;
 use crate::contact::method::Options;
@@ -10,10 +10,14 @@ use std::collections::BTreeMap;
 /// What points have been through, by pair of bodies; nothing where a pair is not there.
 pub(crate) type Damage = BTreeMap<[usize; 2], Vec<PointState>>;
 
+/// The same of laws of the host, whose points have each so many numbers.
+pub(crate) type LawHistory = BTreeMap<[usize; 2], Vec<f64>>;
+
 /// The same for all interfaces of a contact.
 #[derive(Clone, Copy)]
 pub(crate) struct Past<'a, const D: usize> {
     pub(crate) damage: &'a Damage,
+    pub(crate) of_laws: &'a LawHistory,
     /// 0: none was said.
     pub(crate) time_step: f64,
     pub(crate) partners: &'a Partners<D>,

@@ -6,7 +6,7 @@ use super::last::LastEquilibrium;
 use super::multipliers::Multipliers;
 use crate::Error;
 use crate::contact::friction::{CarriedSlip, FrozenFriction, SlipFacets, Step};
-use crate::contact::held::Damage;
+use crate::contact::held::{Damage, LawHistory};
 use crate::contact::partners::Poses;
 use crate::geometry::Surface;
 use crate::overlap::Partner;
@@ -24,7 +24,9 @@ pub(crate) struct History<const D: usize> {
     pub(crate) multipliers: Multipliers<D>,
     /// What cohesive interfaces have been through in the steps that were accepted.
     pub(crate) damage: Damage,
-    /// How long a step takes, for their viscosity; 0: nothing was said.
+    /// The same of interfaces by a law of the host.
+    pub(crate) of_laws: LawHistory,
+    /// How long a step takes, for their viscosity and their laws; 0: nothing was said.
     pub(crate) time_step: f64,
     /// Factor by which the contact was made stiffer since it was made.
     pub(crate) stiffened: f64,
@@ -41,6 +43,7 @@ pub(crate) struct Begun<const D: usize> {
     step: Option<Step<D>>,
     bearings: Option<Bearings>,
     damage: Damage,
+    of_laws: LawHistory,
     stiffened: f64,
 }
 
@@ -53,6 +56,7 @@ impl<const D: usize> History<D> {
             patches: KeptPatches::none(),
             multipliers: Multipliers::default(),
             damage: Damage::new(),
+            of_laws: LawHistory::new(),
             time_step: 0.0,
             stiffened: 1.0,
             apart_at: None,
@@ -67,14 +71,15 @@ impl<const D: usize> History<D> {
 
     /// What has begun, so that it can be laid aside.
     pub(crate) fn begun(&self) -> Begun<D> {
-        let (step, bearings, damage) = (self.step.clone(), self.bearings.clone(), self.damage.clone());
-        Begun { step, bearings, damage, stiffened: self.stiffened }
+        let (step, bearings) = (self.step.clone(), self.bearings.clone());
+        let (damage, of_laws) = (self.damage.clone(), self.of_laws.clone());
+        Begun { step, bearings, damage, of_laws, stiffened: self.stiffened }
     }
 
     /// Goes on with a step that was laid aside; frozen friction is released. As [`Self::stiffen`].
     pub(crate) fn take_up(&mut self, begun: Begun<D>, is_slip_of_law: bool) {
         (self.step, self.bearings, self.frozen) = (begun.step, begun.bearings, None);
-        self.damage = begun.damage;
+        (self.damage, self.of_laws) = (begun.damage, begun.of_laws);
         if is_slip_of_law {
             self.divide_slip(self.stiffened / begun.stiffened);
         }

@@ -77,6 +77,13 @@ pub enum Interface {
     /// Its damage grows in evaluations, and is kept by [`Contact::commit_step`](crate::Contact::commit_step); set anew with other options, or
     /// with another mesh without deformation, it is whole again.
     Cohesive(Cohesive),
+    /// They are held together where those with a cohesive interface would be, by a law of the host: see
+    /// [`InterfaceLaw`](crate::contact::InterfaceLaw). They are in no contact, so that the law has to resist compression. It is given by
+    /// [`Contact::set_law_pair`](crate::Contact::set_law_pair); options that are set later keep it, with its history.
+    Law {
+        /// In length; 0: a tenth of the larger facets.
+        reach: f64,
+    },
 }
 
 impl PairOptions {

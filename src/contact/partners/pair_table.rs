@@ -184,9 +184,10 @@ fn check_interface(pair: &[Partner; 2], options: &PairOptions, law: &EnergyLaw) 
     let rubs =
         options.friction_coefficient.is_some() || options.static_friction.is_some() || options.orthotropic.is_some();
     let interface = options.interface;
-    let of = |of_tie, of_sliding, of_cohesive| match interface {
+    let of = |of_tie, of_sliding, of_cohesive, of_law| match interface {
         Interface::Tied { .. } => of_tie,
         Interface::NoSeparation { .. } => of_sliding,
+        Interface::Law { .. } => of_law,
         _ => of_cohesive,
     };
     let is_held = !matches!(interface, Interface::Contact | Interface::Rough);
@@ -202,16 +203,19 @@ fn check_interface(pair: &[Partner; 2], options: &PairOptions, law: &EnergyLaw) 
             "a body that is tied to an obstacle: the host prescribes how its nodes move",
             "a body that does not separate from an obstacle",
             "a cohesive interface of a body and an obstacle",
+            "an interface by your own law of a body and an obstacle",
         ),
         [a, b] if a == b => of(
             "a body that is tied to itself",
             "a body that does not separate from itself",
             "a cohesive interface of a body with itself",
+            "an interface by your own law of a body with itself",
         ),
         _ if options.excluded && options.surfaces.is_none() => of(
             "a pair that is both left out and tied",
             "a pair that is both left out and does not separate",
             "a pair that is both left out and has a cohesive interface",
+            "a pair that is both left out and has an interface by your own law",
         ),
         _ if has_contact && !matches!(law, EnergyLaw::Depth { .. }) => {
             "named surfaces with another law than depth, by which the other faces press"
@@ -224,18 +228,23 @@ fn check_interface(pair: &[Partner; 2], options: &PairOptions, law: &EnergyLaw) 
             "friction of bodies that are tied: they do not slide",
             "friction of bodies that do not separate: they slide freely",
             "",
+            "friction of bodies with an interface by your own law, which says how they slide",
         ),
         _ if options.gap_offset != 0.0 => {
-            "a gap offset of bodies that are tied, do not separate, or have a cohesive interface: their gap is kept as it is"
+            "a gap offset of bodies that are tied, do not separate, have a cohesive interface, or one by your own law: their gap is kept as it is"
         }
         _ if interface_needs_law(interface) && matches!(law, EnergyLaw::Volume { .. }) => of(
             "bodies that are tied by the law volume, which has no stiffness by area: give the pair the law depth",
             "bodies that do not separate by the law volume, which has no stiffness by area: give the pair the law depth",
             "",
+            "",
         ),
-        _ if !interface_needs_law(interface) && options.law.is_some() => {
-            "a law of bodies with a cohesive interface, which has its own"
-        }
+        _ if !interface_needs_law(interface) && options.law.is_some() => of(
+            "",
+            "",
+            "a law of bodies with a cohesive interface, which has its own",
+            "a law of contact beside an interface by your own law",
+        ),
         _ => return check_values(interface),
     };
     Err(Error::Unsupported { what })
@@ -249,9 +258,8 @@ fn interface_needs_law(interface: Interface) -> bool {
 fn check_values(interface: Interface) -> Result<(), Error> {
     match interface {
         Interface::Contact | Interface::Rough => Ok(()),
-        Interface::Tied { reach } | Interface::NoSeparation { reach } if reach.is_finite() && reach >= 0.0 => Ok(()),
-        Interface::Tied { reach } | Interface::NoSeparation { reach } => {
-            Err(Error::NotPositive { name: "reach", value: reach })
+        Interface::Tied { reach } | Interface::NoSeparation { reach } | Interface::Law { reach } => {
+            Error::check_not_negative("reach", reach)
         }
         Interface::Cohesive(cohesive) => cohesive.check(),
     }

@@ -134,6 +134,8 @@ fn of_callback(argument: &Variable) -> String {
         ("char", _) => "c_char_p".into(),
         ("void", _) => "c_void_p".into(),
         (name, 0) => number(name).into(),
+        // Structs come after the callbacks.
+        (name, _) if name.starts_with("fmc_") => "c_void_p".into(),
         (name, _) => format!("POINTER({})", number(name)),
     }
 }

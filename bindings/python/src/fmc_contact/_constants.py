@@ -84,6 +84,7 @@ FMC_ERROR_NO_STIFFNESS = 63
 FMC_ERROR_INTERRUPTED = 64
 FMC_ERROR_MEMORY = 65
 FMC_ERROR_UNTIED = 66
+FMC_ERROR_INTERFACE_LAW = 67
 FMC_CLASS_OK = 0
 FMC_CLASS_INPUT = 1
 FMC_CLASS_GEOMETRY = 2
@@ -138,6 +139,7 @@ FMC_INTERFACE_TIED = 1
 FMC_INTERFACE_COHESIVE = 2
 FMC_INTERFACE_NO_SEPARATION = 3
 FMC_INTERFACE_ROUGH = 4
+FMC_INTERFACE_LAW = 5
 FMC_SOFTENING_LINEAR = 0
 FMC_SOFTENING_EXPONENTIAL = 1
 FMC_SOFTENING_PPR = 2
@@ -243,6 +245,7 @@ FMC_STATUS: dict[int, str] = {
     64: "error_interrupted",
     65: "error_memory",
     66: "error_untied",
+    67: "error_interface_law",
 }
 
 FMC_STATUS_CLASS_VALUE: dict[int, str] = {
@@ -296,7 +299,7 @@ FMC_SHAPE_KIND: dict[int, str] = {
     10: "signed_distance",
 }
 
-FMC_INTERFACE: dict[int, str] = {0: "contact", 1: "tied", 2: "cohesive", 3: "no_separation", 4: "rough"}
+FMC_INTERFACE: dict[int, str] = {0: "contact", 1: "tied", 2: "cohesive", 3: "no_separation", 4: "rough", 5: "law"}
 
 FMC_SOFTENING: dict[int, str] = {0: "linear", 1: "exponential", 2: "ppr"}
 

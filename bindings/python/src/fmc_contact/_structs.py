@@ -39,6 +39,8 @@ fmc_interrupt_callback = CFUNCTYPE(c_int32, c_void_p)
 
 fmc_signed_distance = CFUNCTYPE(c_int32, c_void_p, c_size_t, POINTER(c_double), POINTER(c_double), POINTER(c_double))
 
+fmc_respond = CFUNCTYPE(c_int32, c_void_p, c_void_p, c_void_p)
+
 fmc_place = CFUNCTYPE(c_int32, c_void_p, c_size_t, POINTER(c_double), POINTER(c_double))
 
 fmc_all_gather = CFUNCTYPE(c_int32, c_void_p, c_void_p, POINTER(c_uint64), c_void_p)
@@ -210,6 +212,47 @@ class fmc_ppr(Structure):
         ("shear_shape", c_double),
         ("normal_slope", c_double),
         ("shear_slope", c_double),
+        ("reserved", c_uint64 * 4),
+    ]
+
+
+class fmc_law_points(Structure):
+    _fields_ = [
+        ("struct_size", c_size_t),
+        ("count", c_size_t),
+        ("dim", c_size_t),
+        ("history_count", c_size_t),
+        ("body", c_size_t),
+        ("partner", c_size_t),
+        ("time_step", c_double),
+        ("jump", c_void_p),
+        ("axes", c_void_p),
+        ("position", c_void_p),
+        ("reference", c_void_p),
+        ("area", c_void_p),
+        ("history", c_void_p),
+        ("reserved", c_uint64 * 4),
+    ]
+
+
+class fmc_law_response(Structure):
+    _fields_ = [
+        ("struct_size", c_size_t),
+        ("traction", c_void_p),
+        ("tangent", c_void_p),
+        ("history", c_void_p),
+        ("stored", c_void_p),
+        ("dissipated", c_void_p),
+        ("reserved", c_uint64 * 4),
+    ]
+
+
+class fmc_own_law(Structure):
+    _fields_ = [
+        ("struct_size", c_size_t),
+        ("history_count", c_size_t),
+        ("respond", fmc_respond),
+        ("user", c_void_p),
         ("reserved", c_uint64 * 4),
     ]
 
@@ -554,6 +597,22 @@ class fmc_cohesive_point(Structure):
         ("rubbed", c_double),
         ("viscous", c_double),
         ("reserved", c_uint64 * 3),
+    ]
+
+
+class fmc_law_point(Structure):
+    _fields_ = [
+        ("struct_size", c_size_t),
+        ("body", c_size_t),
+        ("partner", c_size_t),
+        ("position", c_double * 3),
+        ("area", c_double),
+        ("axes", c_double * 9),
+        ("jump", c_double * 3),
+        ("traction", c_double * 3),
+        ("stored", c_double),
+        ("dissipated", c_double),
+        ("reserved", c_uint64 * 4),
     ]
 
 

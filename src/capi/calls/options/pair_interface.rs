@@ -24,6 +24,9 @@ pub enum fmc_interface {
     FMC_INTERFACE_NO_SEPARATION = 3,
     /// They press and open as in contact, and never slide where they touch: an infinite coefficient of friction. Key value "rough".
     FMC_INTERFACE_ROUGH = 4,
+    /// They are held together where those with a cohesive interface would be, by a law of the host, and are in no contact: the law has to resist
+    /// compression. Set by `fmc_context_set_law_pair`. Key value "law".
+    FMC_INTERFACE_LAW = 5,
 }
 
 /// How the traction of a cohesive interface falls as it opens.
@@ -55,6 +58,7 @@ const INTERFACE: Choice = Choice {
         (fmc_interface::FMC_INTERFACE_COHESIVE as i32, "cohesive"),
         (fmc_interface::FMC_INTERFACE_NO_SEPARATION as i32, "no_separation"),
         (fmc_interface::FMC_INTERFACE_ROUGH as i32, "rough"),
+        (fmc_interface::FMC_INTERFACE_LAW as i32, "law"),
     ],
 };
 
@@ -100,6 +104,9 @@ impl From<Interface> for InterfaceFields {
                 Self { interface_kind: fmc_interface::FMC_INTERFACE_NO_SEPARATION as i32, reach, ..Self::default() }
             }
             Interface::Rough => Self { interface_kind: fmc_interface::FMC_INTERFACE_ROUGH as i32, ..Self::default() },
+            Interface::Law { reach } => {
+                Self { interface_kind: fmc_interface::FMC_INTERFACE_LAW as i32, reach, ..Self::default() }
+            }
             Interface::Cohesive(own) => Self {
                 interface_kind: fmc_interface::FMC_INTERFACE_COHESIVE as i32,
                 stiffness: own.stiffness,
@@ -160,7 +167,8 @@ impl InterfaceFields {
             Some((key, _)) => conflict(key, "'cohesive'"),
             None if kind == "tied" => Ok(Interface::Tied { reach: self.reach }),
             None if kind == "no_separation" => Ok(Interface::NoSeparation { reach: self.reach }),
-            None if self.reach != 0.0 => conflict("reach", "'tied', 'no_separation' or 'cohesive'"),
+            None if kind == "law" => Ok(Interface::Law { reach: self.reach }),
+            None if self.reach != 0.0 => conflict("reach", "'tied', 'no_separation', 'cohesive' or 'law'"),
             None if kind == "rough" => Ok(Interface::Rough),
             None => Ok(Interface::Contact),
         }

@@ -222,6 +222,6 @@ pub(super) unsafe fn tell_options<T>(
     })
 }
 
-fn named([a, b]: [(i32, usize); 2]) -> Result<[Partner; 2], Failure> {
+pub(super) fn named([a, b]: [(i32, usize); 2]) -> Result<[Partner; 2], Failure> {
     Ok([partner(a.0, a.1)?, partner(b.0, b.1)?])
 }

@@ -77,7 +77,7 @@ async fn prepared<const D: usize>(
     host.forces(&step.x, true).await?;
     let is_new = layers::complete(host, &assembly, &step.x).await?;
     let (has_friction, has_begun) = host.contact(|contact| (contact.has_friction(), contact.slip().is_ok())).await;
-    let breaks = host.contact(|contact| !contact.cohesions.is_empty()).await;
+    let breaks = host.contact(|contact| contact.has_history()).await;
     if has_friction && is_new || (has_friction || breaks) && !has_begun {
         host.contact(move |contact| contact.begin_step(&coords)).await?;
     }
