@@ -24,6 +24,7 @@ from .flux import Conductance, ContactFlux, FrictionHeat
 from .forward import Slopes
 from .gaps import GapConstraints
 from .gradients import Gradients, PairGradient
+from .laws import InterfaceLaws, LawPoints, LawResponse, LawStates, check_law
 from .mesh import Adjustment
 from .multipliers import MULTIPLIER, Augmentation
 from .on_unknowns import OnUnknowns
@@ -91,6 +92,10 @@ __all__ = [
     "Gradients",
     "History",
     "HistoryStart",
+    "InterfaceLaws",
+    "LawPoints",
+    "LawResponse",
+    "LawStates",
     "NoSupportError",
     "NodalContact",
     "NotConvergedError",
@@ -116,6 +121,7 @@ __all__ = [
     "TieNodes",
     "Ties",
     "check_host",
+    "check_law",
     "contact_force",
     "contact_force_step",
     "errors",

@@ -25,6 +25,7 @@ from .forward import Slopes, slopes
 from .friction import FrictionSteps, rows_of
 from .gaps import GapConstraints, gap_constraints
 from .gradients import Gradients, gradients, names_of
+from .laws import InterfaceLaws
 from .mesh import Mesh
 from .multipliers import Multipliers
 from .obstacles import Obstacles
@@ -77,6 +78,8 @@ class Contact:
         Ties between named parts of surfaces, with a period or a jump.
     cohesive : CohesiveInterfaces
         Interfaces that break, and their damage.
+    laws : InterfaceLaws
+        Interfaces that follow your own laws, and their history.
     friction : FrictionSteps
         Steps with friction, and the elastic slip that is carried from one to the next.
     multipliers : Multipliers
@@ -113,6 +116,7 @@ class Contact:
     pairs: Pairs
     ties: Ties
     cohesive: CohesiveInterfaces
+    laws: InterfaceLaws
     friction: FrictionSteps
     multipliers: Multipliers
     patches: Patches
@@ -188,7 +192,7 @@ class Contact:
         """Takes a context, and makes the parts."""
         self._core = core = Core(start.handle, options, start.dim, start.is_columns)
         self.mesh, self.obstacles, self.pairs = Mesh(core), Obstacles(core), Pairs(core)
-        self.ties = Ties(core)
+        self.ties, self.laws = Ties(core), InterfaceLaws(core)
         self.cohesive, self.friction, self.multipliers = CohesiveInterfaces(core), FrictionSteps(core), Multipliers(core)
         self.patches, self.pattern, self.ranks = Patches(core), Pattern(core), Ranks(core)
 

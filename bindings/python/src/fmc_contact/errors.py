@@ -302,6 +302,10 @@ class UntiedError(FmcError, ValueError):
     """Two bodies are tied, or joined by a cohesive interface, and face one another nowhere within reach."""
 
 
+class InterfaceLawError(FmcError, ValueError):
+    """Your own law of an interface failed, or answered what is not finite."""
+
+
 class EndedError(FmcError, RuntimeError):
     """The call was ended by its caller."""
 

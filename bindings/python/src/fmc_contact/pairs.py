@@ -18,6 +18,7 @@ from ._core import Core
 from ._index import index_of, integer
 from ._library import check, library
 from ._structs import fmc_orthotropic_friction, fmc_pair_options, fmc_ppr, fmc_tie
+from .laws import InterfaceLaw, law_struct
 from .ties import Tie
 
 Partner = Union[int, tuple[str, int]]
@@ -89,7 +90,7 @@ class Pairs:
         a: Partner,
         b: Partner,
         *,
-        law: Optional[str] = None,
+        law: Optional[Union[str, InterfaceLaw]] = None,
         stiffness: Optional[float] = None,
         exponent: Optional[float] = None,
         smoothing_length: Optional[float] = None,
@@ -115,6 +116,7 @@ class Pairs:
         shear_shape: Optional[float] = None,
         normal_slope: Optional[float] = None,
         shear_slope: Optional[float] = None,
+        history: int = 0,
     ) -> None:
         """Gives a pair options of its own, in place of those it had.
 
@@ -125,8 +127,9 @@ class Pairs:
         ----------
         a, b : int or tuple
             The partners.
-        law : str, optional
-            Law of the pair, as in ``Options``. Default: the law of the contact, also after it changes.
+        law : str or callable, optional
+            Law of the pair, as in ``Options``. Default: the law of the contact, also after it changes. With ``interface="law"`` your own law,
+            a function of ``LawPoints`` that returns a ``LawResponse``. Default then: the one that the pair has, with its history.
         stiffness : float, optional
             Stiffness of the pair. Alone, it goes with the law that the contact has now. Of a cohesive interface: the traction by
             opening without damage, and in compression. By default so much that damage begins at a hundredth of the opening at which a
@@ -153,7 +156,7 @@ class Pairs:
             contact anywhere. See ``tie``. ``"cohesive"``: they are held together there until they break. See ``contact.cohesive``.
             ``"no_separation"``: they slide on each other there without friction, and do not separate. Points that lie opposite each other
             are found again by ``friction.begin_step``, ``friction.commit_step`` and updates of multipliers. ``"rough"``: contact that
-            never slides where it is closed.
+            never slides where it is closed. ``"law"``: they are held together by your own law. See ``contact.laws``.
         reach : float
             Of bodies that are tied, held together or slide without separation: the largest gap or overlap between faces that belong
             together (length). A gap stays as it is. 0: a tenth of the mean facet of the body with the larger facets, all its faces included.
@@ -188,6 +191,8 @@ class Pairs:
         normal_slope, shear_slope : float, optional
             With ``softening="ppr"``: the opening or sliding at the strength, divided by the one at which the traction ends. Above 0, and
             at most 1/√(2 shape − 1). Default: 0.05.
+        history : int
+            With your own law: how many numbers each point keeps from step to step. They begin with 0.
 
         Raises
         ------
@@ -211,6 +216,9 @@ class Pairs:
         0.0
         """
         law_values = {"stiffness": stiffness, "exponent": exponent, "smoothing_length": smoothing_length}
+        own_law = None if law is None or isinstance(law, str) else law
+        if (own_law is not None or history != 0) and interface != "law":
+            raise ValueError(f"{'law' if own_law is not None else 'history'} of your own belongs to the interface 'law', and it is '{interface}'")
         own = fmc_pair_options()
         check(library.fmc_pair_options_init(byref(own)))
         own.excluded, own.gap_offset = bool(excluded), float(gap_offset)
@@ -233,12 +241,12 @@ class Pairs:
             if float(friction_coefficient) == FMC_PAIR_FRICTION_OF_CONTEXT:
                 raise ValueError(f"friction_coefficient is {friction_coefficient}, expected at least 0")
             own.friction_coefficient = float(friction_coefficient)
-        if law is not None:
+        if isinstance(law, str):
             numbers = {name: number for number, name in FMC_LAW.items()}
             if law not in numbers:
                 raise ValueError(f"option 'law' has no value '{law}', expected {' or '.join(numbers)}")
             own.law = numbers[law]
-        elif stiffness is not None and interface != "cohesive":
+        elif stiffness is not None and interface not in ("cohesive", "law"):
             own.law = self._core.options.law
             law_values = {key: getattr(self._core.options, key) if value is None else value for key, value in law_values.items()}
         for key, value in law_values.items():
@@ -247,6 +255,10 @@ class Pairs:
         friction = _orthotropic(transverse_coefficient, direction, direction_of)
         shapes = dict(zip(_OF_PPR, (normal_shape, shear_shape, normal_slope, shear_slope)))
         shapes = {key: float(value) for key, value in shapes.items() if value is not None}
+        if own_law is not None:
+            if shapes or friction is not None:
+                raise ValueError("an interface by your own law has neither shapes nor friction beside it")
+            return self._set_law(a, b, own, own_law, history)
         if shapes and friction is not None:
             raise ValueError(f"{next(iter(shapes))} and transverse_coefficient of one pair: what is broken rubs by one coefficient")
         if shapes:
@@ -280,6 +292,14 @@ class Pairs:
         >>> contact.pairs.reset(0, 1)
         """
         self._set(a, b, None)
+
+    def _set_law(self, a: Partner, b: Partner, options: fmc_pair_options, law: InterfaceLaw, history: int) -> None:
+        handle, sides = self._core.handle, (_named(a), _named(b))
+        struct, callback = law_struct(law, history, handle.guarded)
+        with handle:
+            handle.call(library.fmc_context_set_law_pair, *sides[0], *sides[1], byref(options), byref(struct))
+        # Until the pair has another law: other options may keep this one.
+        handle.keep(("law", *sorted(sides)), callback)
 
     def _set(self, a: Partner, b: Partner, options: Any) -> None:
         with self._core.handle:
