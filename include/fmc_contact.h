@@ -202,7 +202,7 @@ typedef enum {
   FMC_ERROR_MEMORY = 65,
   // Two bodies are tied, and face one another nowhere within reach.
   FMC_ERROR_UNTIED = 66,
-  // The law of the host on an interface failed, or left a number that is not finite; or its derivative is none (`fmc_law_check`).
+  // The law of the host on an interface failed, or left a number that is not finite; or its derivative is none (`fmc_own_law_check`).
   FMC_ERROR_INTERFACE_LAW = 67,
 } fmc_status;
 
@@ -1109,13 +1109,13 @@ typedef struct {
   uint64_t reserved[4];
 } fmc_law_response;
 
-// A law of the host: writes tractions, tangents and history at all points of a pair. `user` is the pointer given with it.
+// A law of the host: writes tractions, tangents and history at all points of a pair in `response`. `user` is the pointer given with it.
 //
 // Return 0; any other value makes the call of the library fail with `FMC_ERROR_INTERFACE_LAW`, naming point i of the pair for the value i + 1.
 // It is called on the thread that evaluates, never from two threads at once, one pair after the other, ascending, with the points in the order
 // of `fmc_context_law_points`; where ranks share the work on every rank at all points. The same input must have the same answer, bit by bit.
 // It must not call a function of the same context (it would get `FMC_ERROR_BUSY`), throw, or jump out.
-typedef int32_t (*fmc_respond)(void *user, const fmc_law_points *points, const fmc_law_response *response);
+typedef int32_t (*fmc_respond)(void *user, const fmc_law_points *at, const fmc_law_response *response);
 
 // A law of the host on an interface, for `FMC_INTERFACE_LAW`. `fmc_own_law_init` sets all of it.
 //

@@ -24,7 +24,7 @@ module fmc_contact
   public
   ! Procedures of the type: their names remain the host's.
   private :: from_cells, from_blocks, from_facets, take, free, set_options, set_pair_options, set_orthotropic_pair, &
-             set_ppr_pair, &
+             set_ppr_pair, set_law_pair, law_history, set_law_history, &
              set_reference, set_interrupt, &
              set_symmetry_planes, set_symmetry_nodes, set_surface_smoothing, set_basis, &
              evaluate, tangent, evaluate_tangent, stable_step, body, &
@@ -32,7 +32,7 @@ module fmc_contact
              add_convex_hull, add_signed_distance, set_pose, remove_obstacle, &
              keep_patches, begin_step, commit_step, freeze_friction, slip, set_slip, nodal_contact, &
              contact_points, gap_constraints, tie, tie_nodes, augment, multipliers, set_multipliers, boundary_facets, placed, &
-             unplaced, view, onto, checked, copy_text, copied, finished
+             unplaced, view, onto, law_of, checked, copy_text, copied, finished
 
   ! Bodies in contact with one another and with obstacles. Given back when it goes out of scope; it cannot be copied.
   type :: contact
@@ -41,6 +41,7 @@ module fmc_contact
   contains
     procedure :: from_cells, from_blocks, from_facets, free
     procedure :: set_options, set_pair_options, set_orthotropic_pair, set_ppr_pair
+    procedure :: set_law_pair, law_history, set_law_history
     procedure :: set_reference, set_symmetry_planes, set_symmetry_nodes, set_basis
     procedure :: set_surface_smoothing
     procedure :: set_interrupt
@@ -217,6 +218,65 @@ contains
     call checked(fmc_context_set_ppr_pair(self%handle, a_kind, int(a - 1, c_size_t), b_kind, &
                                           int(b - 1, c_size_t), options, ppr), stat)
   end subroutine
+
+  ! The same with your own law for FMC_INTERFACE_LAW, of bodies a and b: a function bind(c) of interface fmc_respond. Arrays of its
+  ! structs come by c_f_pointer, with shapes [dim, count] and the like; tangents are (j, i, point): the derivative of traction i by jump j.
+  ! Every point keeps history_count numbers.
+  subroutine set_law_pair(self, a, b, options, respond, history_count, user, stat)
+    class(contact), intent(inout) :: self
+    integer, intent(in) :: a, b
+    type(fmc_pair_options), intent(in) :: options
+    procedure(fmc_respond) :: respond
+    integer, intent(in), optional :: history_count
+    type(c_ptr), intent(in), optional :: user
+    integer, intent(out), optional :: stat
+    call checked(fmc_context_set_law_pair(self%handle, FMC_PARTNER_BODY, int(a - 1, c_size_t), FMC_PARTNER_BODY, &
+                                          int(b - 1, c_size_t), options, law_of(respond, history_count, user)), stat)
+  end subroutine
+
+  ! The history of all points by your own laws, after the steps that were committed (fmc_context_law_history).
+  subroutine law_history(self, history, stat)
+    class(contact), intent(in) :: self
+    real(c_double), intent(out), allocatable :: history(:)
+    integer, intent(out), optional :: stat
+    integer(c_int32_t) :: status
+    integer(c_size_t) :: count
+    count = 0
+    status = fmc_context_law_history(self%handle, capacity=0_c_size_t, count=count)
+    allocate (history(count))
+    if (status == FMC_OK) status = fmc_context_law_history(self%handle, history, count)
+    call checked(status, stat)
+  end subroutine
+
+  subroutine set_law_history(self, history, stat)
+    class(contact), intent(inout) :: self
+    real(c_double), intent(in), contiguous :: history(:)
+    integer, intent(out), optional :: stat
+    call checked(fmc_context_set_law_history(self%handle, history, size(history, kind=c_size_t)), stat)
+  end subroutine
+
+  ! Whether your own law is one, by differences at jumps of this scale; contact_error() has what is wrong (fmc_own_law_check).
+  subroutine check_law(respond, dim, scale, history_count, user, stat)
+    procedure(fmc_respond) :: respond
+    integer, intent(in) :: dim
+    real(c_double), intent(in) :: scale
+    integer, intent(in), optional :: history_count
+    type(c_ptr), intent(in), optional :: user
+    integer, intent(out), optional :: stat
+    call checked(fmc_own_law_check(law_of(respond, history_count, user), int(dim, c_size_t), scale, &
+                                   jump_count=0_c_size_t, time_step=0d0, tell=c_null_funptr, user=c_null_ptr), stat)
+  end subroutine
+
+  function law_of(respond, history_count, user) result(law)
+    procedure(fmc_respond) :: respond
+    integer, intent(in), optional :: history_count
+    type(c_ptr), intent(in), optional :: user
+    type(fmc_own_law) :: law
+    call checked(fmc_own_law_init(law))
+    law%respond = c_funloc(respond)
+    if (present(history_count)) law%history_count = int(history_count, c_size_t)
+    if (present(user)) law%user = user
+  end function
 
   ! Coordinates without deformation, from which the law `depth` has its depths (fmc_context_set_reference).
   subroutine set_reference(self, x, stat)

@@ -799,10 +799,10 @@ module fmc_contact_c
       real(c_double), intent(inout) :: grad(*)
       integer(c_int32_t) :: fmc_signed_distance
     end function
-    function fmc_respond(user, points, response) bind(c)
+    function fmc_respond(user, at, response) bind(c)
       import
       type(c_ptr), value :: user
-      type(fmc_law_points), intent(in) :: points(*)
+      type(fmc_law_points), intent(in) :: at
       type(fmc_law_response), intent(in) :: response
       integer(c_int32_t) :: fmc_respond
     end function

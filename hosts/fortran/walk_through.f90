@@ -27,6 +27,28 @@ contains
     end do
     distance = 0
   end function
+
+  ! Your own law of an interface: springs, and how far they have opened at most.
+  integer(c_int32_t) function springs(user, at, response) bind(c)
+    type(c_ptr), value :: user
+    type(fmc_law_points), intent(in) :: at
+    type(fmc_law_response), intent(in) :: response
+    real(c_double), pointer :: k, jump(:, :), before(:), traction(:, :), tangent(:, :, :), opened(:)
+    integer :: axis
+    call c_f_pointer(user, k)
+    call c_f_pointer(at%jump, jump, [at%dim, at%count])
+    call c_f_pointer(at%history, before, [at%count])
+    call c_f_pointer(response%traction, traction, [at%dim, at%count])
+    call c_f_pointer(response%tangent, tangent, [at%dim, at%dim, at%count])
+    call c_f_pointer(response%history, opened, [at%count])
+    traction = k*jump
+    tangent = 0
+    do axis = 1, int(at%dim)
+      tangent(axis, axis, :) = k
+    end do
+    opened = max(before, jump(1, :))
+    springs = 0
+  end function
 end module
 
 program walk_through
@@ -43,13 +65,14 @@ contains
   subroutine walk
     real(c_double), parameter :: k = 1d5, depth = 0.01d0
     real(c_double) :: x(2, 8), y(2, 8), forces(2, 8), there(2, 8), pressure(8), normal(2, 8), masses(8), change(2, 8)
-    real(c_double), allocatable :: values(:), carried(:, :)
+    real(c_double), allocatable :: values(:), carried(:, :), carried_law(:)
     real(c_double), target :: height = 0
-    real(c_double) :: all_of(16), by(16), kept(2, 8), ring(2, 8)
+    real(c_double) :: all_of(16), by(16), kept(2, 8), ring(2, 8), apart(2, 8), pulled(2, 8)
     integer :: conn(4, 2) = reshape([1, 2, 3, 4, 5, 6, 7, 8], [4, 2]), quarters(3, 4), index, stat, row
     integer(c_int32_t) :: status(8)
     integer(c_int32_t), allocatable :: row_offsets(:), cols(:)
-    type(contact) :: squares, block, disc
+    type(contact) :: squares, block, disc, bonded
+    type(fmc_pair_options) :: own
     type(fmc_options) :: options
     type(fmc_result) :: found
     type(fmc_resultant) :: body
@@ -173,6 +196,28 @@ contains
     call disc%add_obstacle(shape_of(FMC_SHAPE_CUBOID, half_extents=[20d0, 20d0]), pose_at([0d0, -10d0]), index)
     call disc%evaluate(ring, forces, found)
     call expect("area of a disc in a box", found%volume, 2 + 4*2d0/3*sqrt(2d0)*(1 - sqrt(0.5d0)), 1d-12)
+
+    ! Your own law between two squares that are drawn apart; the same after a restart.
+    apart(:, 1:4) = x(:, 1:4)
+    apart(:, 5:8) = x(:, 1:4) + spread([1d0, 0d0], 2, 4)
+    call bonded%from_cells(apart, FMC_QUAD4, conn, contact_options(k))
+    call expect("init", real(fmc_pair_options_init(own), c_double), 0d0, 0d0)
+    own%interface_kind = FMC_INTERFACE_LAW
+    call check_law(springs, 2, 0.1d0, history_count=1, user=c_loc(height))
+    call bonded%set_law_pair(1, 2, own, springs, history_count=1, user=c_loc(height))
+    call bonded%begin_step(apart)
+    apart(1, 5:8) = apart(1, 5:8) + 0.25d0
+    call bonded%evaluate(apart, pulled)
+    body = bonded%body(2)
+    call expect("force of springs", body%force(1), -0.25d0*height, 1d-15)
+    call bonded%commit_step(apart)
+    call bonded%law_history(carried_law)
+    call expect("history", maxval(abs(carried_law - 0.25d0)), 0d0, 1d-15)
+    call bonded%set_law_history(carried_law/2)
+    call bonded%law_history(carried_law)
+    call expect("history that was set", maxval(abs(carried_law - 0.125d0)), 0d0, 1d-15)
+    call bonded%set_law_history(carried_law(2:), stat)
+    call expect("too short a history", real(stat, c_double), real(FMC_ERROR_LENGTH, c_double), 0d0)
 
     ! Errors: what is wrong is named, and nothing has changed.
     conn(3, 2) = 9

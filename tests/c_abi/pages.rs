@@ -8,7 +8,8 @@ use std::path::Path;
 use std::process::Command;
 
 /// Pieces in C and C++ on the pages of the book, and who runs them. Those of first-contact.md are tested by `readme.rs`.
-const KNOWN: [(&str, usize); 4] = [("abi.md", 1), ("first-contact.md", 2), ("host-guide.md", 2), ("tutorial-c.md", 1)];
+const KNOWN: [(&str, usize); 5] =
+    [("abi.md", 1), ("first-contact.md", 2), ("host-guide.md", 2), ("interfaces.md", 1), ("tutorial-c.md", 1)];
 
 fn pieces(page: &str) -> Vec<String> {
     let text = fs::read_to_string(root().join("docs").join(page)).expect("a page");
@@ -60,6 +61,16 @@ fn with_floor(parts: &str) -> String {
     let bring = "fmc_context_set_coords(";
     assert_eq!(parts.matches(bring).count(), 1);
     parts.replace(bring, &format!("fmc_context_add_obstacle(context, &half_space, &floor, NULL);\n{bring}"))
+}
+
+#[test]
+fn law_of_the_host() {
+    let folder = scratch("page-law");
+    let [piece] = <[String; 1]>::try_from(pieces("interfaces.md")).expect("a piece");
+    let main = "int main(void) {\n  double k = 100;\n  fmc_own_law law;\n  fmc_own_law_init(&law);\n  law.respond = respond, law.user = &k;\n  \
+                return fmc_own_law_check(&law, 3, 0.1, NULL, 0, 0, NULL, NULL);\n}\n";
+    fs::write(folder.join("law.c"), format!("#include <fmc_contact.h>\n{piece}\n{main}")).expect("a writable folder");
+    assert_eq!(printed(&folder.join("law.c"), &folder), "");
 }
 
 #[test]

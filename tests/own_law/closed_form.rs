@@ -10,7 +10,7 @@ fn a_bond_that_stiffens_carries_its_closed_form() {
     let (k, c) = (30.0, 4e3);
     let bond = move |jump: &[f64], _: &mut [f64]| {
         let dim = jump.len();
-        let slope = |n: usize| if n % (dim + 1) == 0 { k + 3.0 * c * jump[n / dim].powi(2) } else { 0.0 };
+        let slope = |n: usize| if n / dim == n % dim { k + 3.0 * c * jump[n / dim].powi(2) } else { 0.0 };
         One {
             traction: jump.iter().map(|x| k * x + c * x.powi(3)).collect(),
             tangent: (0..dim * dim).map(slope).collect(),

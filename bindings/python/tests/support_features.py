@@ -118,6 +118,13 @@ TIED = of_pair(1, interface="tied", reach=0.2)
 SLIDING = of_pair(1, interface="no_separation", reach=0.2)
 GLUED = together(of_pair(1, interface="cohesive", reach=0.2, normal_strength=1e3 * K, normal_energy=1e3 * K), begun)
 
+
+def springs(points):
+    return 1e3 * K * points.jump, np.broadcast_to(1e3 * K * np.eye(points.jump.shape[1]), points.axes.shape)
+
+
+BONDED = of_pair(1, interface="law", reach=0.2, law=springs)
+
 STRAIGHT, CURVED = tuple(EDGES), tuple(SECOND_ORDER)
 
 GROUPS = {
@@ -179,6 +186,11 @@ GROUPS = {
         Feature("cohesive, axisymmetry", {"axisymmetric": True}, GLUED, dims=(2,)),
         Feature("cohesive, ranks", setup=together(GLUED, on_ranks)),
         Feature("cohesive, mesh in parts", {"parts": True}, GLUED),
+        Feature("your own law", setup=BONDED),
+        Feature("your own law, second-order cells, 2D", setup=BONDED, dims=(2,), kinds=("quad9",)),
+        Feature("your own law, axisymmetry", {"axisymmetric": True}, BONDED, dims=(2,)),
+        Feature("your own law, ranks", setup=together(BONDED, on_ranks)),
+        Feature("your own law, mesh in parts", {"parts": True}, BONDED),
     ],
     "MPI ranks": [
         Feature("whole mesh on every rank", setup=on_ranks),

@@ -153,6 +153,11 @@ PIECES = {
             "glued = Contact(coords, conn, 'quad', bodies=[0, 1, 1], stiffness=1e3)\n",
             "assert abs(-shear - 0.3 * pressed) < 1e-9 and abs(told.dissipated - 0.2) < 1e-12, (shear, pressed, told)",
         ),
+        (
+            "import numpy as np\nfrom fmc_contact import Contact\nconn = np.array([[0, 1, 2, 3], [4, 5, 8, 7], [5, 6, 9, 8]])\n",
+            # On a length of 2, k s + c s³.
+            "assert np.allclose(pull, 2 * (100 * 0.02 + 4e4 * 0.02**3)), pull",
+        ),
     ],
     "gradients.md": [
         ("", "assert shape.shape == (8, 2) and abs(force) > 1"),

@@ -198,7 +198,7 @@ pub type fmc_interrupt_callback = Option<unsafe extern "C" fn(user: *mut c_void)
 
 pub type fmc_signed_distance = Option<unsafe extern "C" fn(user: *mut c_void, n: usize, x: *const f64, phi: *mut f64, grad: *mut f64) -> i32>;
 
-pub type fmc_respond = Option<unsafe extern "C" fn(user: *mut c_void, points: *const fmc_law_points, response: *const fmc_law_response) -> i32>;
+pub type fmc_respond = Option<unsafe extern "C" fn(user: *mut c_void, at: *const fmc_law_points, response: *const fmc_law_response) -> i32>;
 
 pub type fmc_place = Option<unsafe extern "C" fn(user: *mut c_void, n: usize, displacement: *const f64, coords: *mut f64) -> i32>;
 

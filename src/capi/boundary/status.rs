@@ -146,7 +146,7 @@ pub enum fmc_status {
     FMC_ERROR_MEMORY = 65,
     /// Two bodies are tied, and face one another nowhere within reach.
     FMC_ERROR_UNTIED = 66,
-    /// The law of the host on an interface failed, or left a number that is not finite; or its derivative is none (`fmc_law_check`).
+    /// The law of the host on an interface failed, or left a number that is not finite; or its derivative is none (`fmc_own_law_check`).
     FMC_ERROR_INTERFACE_LAW = 67,
 }
 

@@ -70,14 +70,14 @@ pub struct fmc_law_response {
     pub reserved: [u64; 4],
 }
 
-/// A law of the host: writes tractions, tangents and history at all points of a pair. `user` is the pointer given with it.
+/// A law of the host: writes tractions, tangents and history at all points of a pair in `response`. `user` is the pointer given with it.
 ///
 /// Return 0; any other value makes the call of the library fail with `FMC_ERROR_INTERFACE_LAW`, naming point i of the pair for the value i + 1.
 /// It is called on the thread that evaluates, never from two threads at once, one pair after the other, ascending, with the points in the order
 /// of `fmc_context_law_points`; where ranks share the work on every rank at all points. The same input must have the same answer, bit by bit.
 /// It must not call a function of the same context (it would get `FMC_ERROR_BUSY`), throw, or jump out.
 pub type fmc_respond = Option<
-    unsafe extern "C" fn(user: *mut c_void, points: *const fmc_law_points, response: *const fmc_law_response) -> i32,
+    unsafe extern "C" fn(user: *mut c_void, at: *const fmc_law_points, response: *const fmc_law_response) -> i32,
 >;
 
 /// A law of the host on an interface, for `FMC_INTERFACE_LAW`. `fmc_own_law_init` sets all of it.
