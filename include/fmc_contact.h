@@ -1140,7 +1140,8 @@ fmc_status fmc_pair_options_init(fmc_pair_options *options);
 
 // Sets the options of a pair: a body with another, with itself, or with an obstacle, in either order. They apply from
 // the next evaluation on; `options` NULL: the pair follows the context's again, as every pair does at first. Friction of the pair is then
-// the same in all directions; for another, call `fmc_context_set_orthotropic_pair` instead.
+// the same in all directions; for another, call `fmc_context_set_orthotropic_pair` instead. What the pair wears by stays; with NULL it wears no
+// more.
 //
 // `a_kind` and `b_kind` are values of `fmc_partner`; `a` and `b` count bodies as `fmc_context_body_resultant` and obstacles as
 // `fmc_context_obstacle_resultant`. For a body with itself these options decide in place of the context's `self_contact` whether
@@ -1149,8 +1150,9 @@ fmc_status fmc_pair_options_init(fmc_pair_options *options);
 // Errors: `FMC_ERROR_NULL_POINTER`; `FMC_ERROR_BODY_OUT_OF_RANGE`, `FMC_ERROR_OBSTACLE_OUT_OF_RANGE` and
 // `FMC_ERROR_OBSTACLE_REMOVED`, naming the index; `FMC_ERROR_BAD_VALUE` for an unknown kind or value,
 // `FMC_ERROR_OPTIONS_CONFLICT` for an option that would have no effect; `FMC_ERROR_RESERVED_FIELD`; `FMC_ERROR_STRUCT_SIZE`; `FMC_ERROR_NOT_POSITIVE`;
-// `FMC_ERROR_UNSUPPORTED` for two obstacles, for a law that the estimator of the context does not support, and for a
-// gap offset between bodies that is positive or has another law than "depth"; `FMC_ERROR_UNTIED` for bodies that are
+// `FMC_ERROR_UNSUPPORTED` for two obstacles, for a law that the estimator of the context does not support, for a
+// gap offset between bodies that is positive or has another law than "depth", and for a pair that wears (`fmc_context_set_pair_wear`) and could
+// not with these options; `FMC_ERROR_UNTIED` for bodies that are
 // tied and face one another nowhere within reach, `FMC_ERROR_BUSY`. What was set before then stays. `fmc_context_set_options` refuses an
 // estimator that does not support the law of a pair. Threads: one call at a time on a context.
 fmc_status fmc_context_set_pair_options(fmc_context *context,
@@ -1338,6 +1340,9 @@ typedef enum {
   // Facets in contact are perpendicular to the direction along which the friction of the pair has a coefficient of its own; the text
   // gives one of them, counted from `index_base`, and their part of the friction. The transverse coefficient holds there for all slip.
   FMC_WARNING_NO_FRICTION_DIRECTION = 13,
+  // A step, with all of its cycles, would wear off more than the sides of a pair penetrate; the text gives the ratio. Pressures may go up
+  // and down from step to step: take smaller steps, or fewer cycles (`fmc_context_set_wear_cycles`).
+  FMC_WARNING_LARGE_WEAR = 14,
 } fmc_warning;
 
 // Results of an evaluation other than the forces. Units follow from the coordinates and the stiffness: with m and Pa,
@@ -3007,6 +3012,97 @@ fmc_status fmc_context_vjp(fmc_context *context,
                            fmc_pair_gradient *pairs,
                            size_t capacity,
                            size_t *count);
+
+// ---- Wear ------------------------------------------------------------------------------------------------
+
+// Has the sides of a pair wear by Archard's law: `a` that slides by |ds| under the pressure p loses `wear_a` p |ds| of its depth, and `b` loses
+// `wear_b` p |ds|. Both in 1/pressure, a wear coefficient without unit by the hardness, and at least 0; 0, the default: that side does not wear.
+// Obstacles never do. With the laws "depth" and "fiber". Partners are named as in `fmc_context_set_pair_options`, and all other options of the pair
+// stay.
+//
+// Surfaces wear in `fmc_context_commit_step` alone. Contact then takes a worn surface to lie so much farther in; the host's nodes and strains
+// stay. The depth at a node is the integral of N K p |s| dA by that of N dA, N being its shape function, so that the body loses the integral of
+// K p |s| dA. Slip is that of friction without its elastic part; of a pair without friction all of it, since `fmc_context_begin_step`.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BODY_OUT_OF_RANGE`, `FMC_ERROR_OBSTACLE_OUT_OF_RANGE`, `FMC_ERROR_OBSTACLE_REMOVED`,
+// `FMC_ERROR_BAD_VALUE` for an unknown kind, `FMC_ERROR_NOT_POSITIVE` for a number that is negative or not finite, `FMC_ERROR_UNSUPPORTED` for
+// wear of an obstacle, of a body with itself, by the law "volume", of bodies that are held together or never slide, and of a mesh in parts,
+// `FMC_ERROR_BUSY`; what was set before then stays. Threads: one call at a time on a context.
+fmc_status fmc_context_set_pair_wear(fmc_context *context,
+                                     int32_t a_kind,
+                                     size_t a,
+                                     int32_t b_kind,
+                                     size_t b,
+                                     double wear_a,
+                                     double wear_b);
+
+// What the sides of a pair wear by, as `fmc_context_set_pair_wear` has set it; zeros by default.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BODY_OUT_OF_RANGE`, `FMC_ERROR_OBSTACLE_OUT_OF_RANGE`, `FMC_ERROR_OBSTACLE_REMOVED`,
+// `FMC_ERROR_BAD_VALUE` for an unknown kind, `FMC_ERROR_UNSUPPORTED` for two obstacles, `FMC_ERROR_BUSY`; nothing is written then. Threads:
+// several at once on one context, as long as no call changes it.
+fmc_status fmc_context_pair_wear(const fmc_context *context,
+                                 int32_t a_kind,
+                                 size_t a,
+                                 int32_t b_kind,
+                                 size_t b,
+                                 double *wear_a,
+                                 double *wear_b);
+
+// How far surfaces are worn off (`fmc_context_set_pair_wear`), a length for every row of the coordinates; 0 at first.
+//
+// `count` becomes how many numbers there are; `depth` has room for `capacity`. NULL with capacity 0: that alone is asked for.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_NO_STEP` after `fmc_context_set_worn_facets` before
+// `fmc_context_begin_step`, `FMC_ERROR_UNSUPPORTED` for a mesh in parts, `FMC_ERROR_BUSY`; nothing is written then. Threads: several at
+// once on one context, as long as no call changes it.
+fmc_status fmc_context_worn_depth(const fmc_context *context,
+                                  double *depth,
+                                  size_t capacity,
+                                  size_t *count);
+
+// What every body has lost by wear: a volume, in 2D by unit of thickness, with axisymmetry that of rings. It is the integral of K p |s| dA of all
+// steps that were accepted.
+//
+// `count` becomes the number of bodies; `volumes` has room for `capacity`. NULL with capacity 0: that alone is asked for.
+//
+// Errors: as `fmc_context_worn_depth`. Threads: several at once on one context, as long as no call changes it.
+fmc_status fmc_context_worn_volumes(const fmc_context *context,
+                                    double *volumes,
+                                    size_t capacity,
+                                    size_t *count);
+
+// What was worn off, for a restart: a row for every facet and each of the points that move it, where there is wear. A row is 4 numbers: the facet,
+// by its place in `fmc_context_boundary_facets` from 0 whatever the base; the node from 0, with cells of second order the point
+// (`fmc_context_point_weights`); the depth against the normal of the facet; and the volume. Rows ascend by facet and point.
+//
+// `count` becomes how many numbers there are; `worn` has room for `capacity`. NULL with capacity 0: that alone is asked for.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_BUSY`; nothing is written then. Threads: several at once on
+// one context, as long as no call changes it.
+fmc_status fmc_context_worn_facets(const fmc_context *context,
+                                   double *worn,
+                                   size_t capacity,
+                                   size_t *count);
+
+// Sets what was worn off: `count` numbers, in rows as `fmc_context_worn_facets` writes them; what no row names is not worn, none: nothing is, as
+// where the host has moved its nodes to the worn surface. For a restart call it before `fmc_context_begin_step` and `fmc_context_set_slip`:
+// the results have the bits of the unbroken run.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_LENGTH` where the last row is not whole, `FMC_ERROR_INDEX_OUT_OF_RANGE` for a row that names a
+// facet that there is not, a point that does not move it, or both twice, `FMC_ERROR_NOT_POSITIVE` for a depth or volume that is negative or not
+// finite, `FMC_ERROR_UNSUPPORTED` for a mesh in parts, `FMC_ERROR_BUSY`; what was worn before then stays. Threads: one call at a time on a context.
+fmc_status fmc_context_set_worn_facets(fmc_context *context,
+                                       const double *worn,
+                                       size_t count);
+
+// As many times the wear of a step counts from now on, 1 at first: a step then stands for so many cycles. Wear is explicit, and surfaces do
+// not change within a step: `FMC_WARNING_LARGE_WEAR` tells of too many cycles.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NOT_POSITIVE` unless positive and finite, `FMC_ERROR_BUSY`. Threads: one call at a time on a
+// context.
+fmc_status fmc_context_set_wear_cycles(fmc_context *context,
+                                       double cycles);
 
 // ---- Restart ---------------------------------------------------------------------------------------------
 

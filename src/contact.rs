@@ -20,6 +20,7 @@ mod partners;
 mod results;
 mod tangents;
 mod ties;
+mod wear;
 mod work;
 
 pub use crate::interfaces::{
@@ -47,3 +48,4 @@ pub use results::{FrictionHeat, GapConstraints, NodalContact, NodeStatus, PointO
 pub(crate) use tangents::compressed;
 pub use tangents::{CompressedRows, Pattern, RankOne, Tangent, TangentPart};
 pub use ties::{TieConstraints, TieNode, TieSummary};
+pub use wear::{Wear, WornFacet};

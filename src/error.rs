@@ -273,8 +273,10 @@ pub enum Error {
         /// Facet, counted over the surface.
         facet: usize,
     },
-    /// A row of a carried slip names what there is not.
-    SlipRow {
+    /// A row of a list that is carried from one step to the next names what there is not.
+    NoSuchRow {
+        /// Name of the list.
+        list: &'static str,
         /// The row, counted from 0.
         row: usize,
         /// What it names.
@@ -282,7 +284,7 @@ pub enum Error {
     },
     /// No step has begun: with friction slip is counted from there, and [`Contact::commit_step`](crate::Contact::commit_step) ends one.
     NoStep,
-    /// The law has no stiffness, and none was found from that of the bodies ([`Contact::set_layer_stiffness`](crate::Contact::set_layer_stiffness)).
+    /// The law has no stiffness, and the bodies gave none ([`Contact::set_layer_stiffness`](crate::Contact::set_layer_stiffness)).
     NoStiffness,
     /// Two bodies are tied, joined by a cohesive interface or kept from separating, and face one another nowhere within reach.
     Untied {
@@ -358,7 +360,7 @@ pub enum Error {
         /// The limit.
         limit: usize,
     },
-    /// A result is outside the range of a double: a stiffness times an overlap, or powers of coordinates that are all below 1e-75 or some above 1e75.
+    /// A result lies outside the range of a double, as volumes and energies of coordinates that are all below 1e-75, or some above 1e75.
     Overflow {
         /// What overflowed.
         quantity: &'static str,

@@ -36,6 +36,7 @@ const ROOMS: &[&str] = &[
     "contact/equilibrium/descent",
     "contact/laws",
     "contact/friction",
+    "contact/wear",
     "contact/results",
     "contact/explicit",
     "contact/method",

@@ -31,6 +31,7 @@ module fmc_contact
              obstacle, pair, warning, add_obstacle, add_half_space, add_polytope, &
              add_convex_hull, add_signed_distance, set_pose, remove_obstacle, &
              keep_patches, begin_step, commit_step, freeze_friction, slip, set_slip, nodal_contact, &
+             set_pair_wear, worn_depth, worn_volumes, worn_facets, set_worn_facets, set_wear_cycles, &
              contact_points, gap_constraints, tie, tie_nodes, augment, multipliers, set_multipliers, boundary_facets, placed, &
              unplaced, view, onto, law_of, checked, copy_text, copied, finished
 
@@ -50,6 +51,7 @@ module fmc_contact
     procedure :: add_obstacle, add_half_space, add_polytope, add_convex_hull, add_signed_distance
     procedure :: set_pose, remove_obstacle
     procedure :: keep_patches, begin_step, commit_step, freeze_friction, slip, set_slip
+    procedure :: set_pair_wear, worn_depth, worn_volumes, worn_facets, set_worn_facets, set_wear_cycles
     procedure :: nodal_contact, contact_points, gap_constraints, boundary_facets
     procedure :: tie, tie_nodes
     procedure :: augment, multipliers, set_multipliers
@@ -615,6 +617,74 @@ contains
     real(c_double), intent(in), contiguous :: values(:, :)
     integer, intent(out), optional :: stat
     call checked(fmc_context_set_slip(self%handle, values, size(values, kind=c_size_t)), stat)
+  end subroutine
+
+  ! What both sides of a pair wear by, in 1/pressure; all other options of the pair stay.
+  subroutine set_pair_wear(self, a_kind, a, b_kind, b, wear_a, wear_b, stat)
+    class(contact), intent(inout) :: self
+    integer(c_int32_t), intent(in) :: a_kind, b_kind
+    integer, intent(in) :: a, b
+    real(c_double), intent(in) :: wear_a, wear_b
+    integer, intent(out), optional :: stat
+    call checked(fmc_context_set_pair_wear(self%handle, a_kind, int(a - 1, c_size_t), b_kind, int(b - 1, c_size_t), &
+                                           wear_a, wear_b), stat)
+  end subroutine
+
+  ! How far the surface is worn off at every node.
+  subroutine worn_depth(self, values, stat)
+    class(contact), intent(in) :: self
+    real(c_double), intent(out), allocatable :: values(:)
+    integer, intent(out), optional :: stat
+    integer(c_size_t) :: numbers
+    integer(c_int32_t) :: status
+    numbers = 0
+    status = fmc_context_worn_depth(self%handle, capacity=0_c_size_t, count=numbers)
+    allocate (values(numbers))
+    if (status == FMC_OK) status = fmc_context_worn_depth(self%handle, values, numbers, numbers)
+    call checked(status, stat)
+  end subroutine
+
+  ! What every body has lost by wear, a volume.
+  subroutine worn_volumes(self, values, stat)
+    class(contact), intent(in) :: self
+    real(c_double), intent(out), allocatable :: values(:)
+    integer, intent(out), optional :: stat
+    integer(c_size_t) :: numbers
+    integer(c_int32_t) :: status
+    numbers = 0
+    status = fmc_context_worn_volumes(self%handle, capacity=0_c_size_t, count=numbers)
+    allocate (values(numbers))
+    if (status == FMC_OK) status = fmc_context_worn_volumes(self%handle, values, numbers, numbers)
+    call checked(status, stat)
+  end subroutine
+
+  ! What was worn off, (4, rows), for a restart: facet and point from 0, depth, volume.
+  subroutine worn_facets(self, values, stat)
+    class(contact), intent(in) :: self
+    real(c_double), intent(out), allocatable :: values(:, :)
+    integer, intent(out), optional :: stat
+    integer(c_size_t) :: numbers
+    integer(c_int32_t) :: status
+    numbers = 0
+    status = fmc_context_worn_facets(self%handle, capacity=0_c_size_t, count=numbers)
+    allocate (values(4, numbers / 4))
+    if (status == FMC_OK) status = fmc_context_worn_facets(self%handle, values, numbers, numbers)
+    call checked(status, stat)
+  end subroutine
+
+  subroutine set_worn_facets(self, values, stat)
+    class(contact), intent(inout) :: self
+    real(c_double), intent(in), contiguous :: values(:, :)
+    integer, intent(out), optional :: stat
+    call checked(fmc_context_set_worn_facets(self%handle, values, size(values, kind=c_size_t)), stat)
+  end subroutine
+
+  ! As many times the wear of a step counts.
+  subroutine set_wear_cycles(self, cycles, stat)
+    class(contact), intent(inout) :: self
+    real(c_double), intent(in) :: cycles
+    integer, intent(out), optional :: stat
+    call checked(fmc_context_set_wear_cycles(self%handle, cycles), stat)
   end subroutine
 
   ! Contact at every node of x: any of pressure(nodes), gap, area, sliding, status(nodes), normal(dim, nodes), friction,

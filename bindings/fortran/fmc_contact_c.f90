@@ -163,6 +163,7 @@ module fmc_contact_c
   integer(c_int32_t), parameter :: FMC_WARNING_UNUSED_SMOOTHING = 11
   integer(c_int32_t), parameter :: FMC_WARNING_TIED_IN_PART = 12
   integer(c_int32_t), parameter :: FMC_WARNING_NO_FRICTION_DIRECTION = 13
+  integer(c_int32_t), parameter :: FMC_WARNING_LARGE_WEAR = 14
   integer(c_int32_t), parameter :: FMC_REQUEST_FORCES = 0
   integer(c_int32_t), parameter :: FMC_REQUEST_PRODUCT = 1
   integer(c_int32_t), parameter :: FMC_REQUEST_DIAGONAL = 2
@@ -1686,6 +1687,65 @@ module fmc_contact_c
       integer(c_size_t), value :: capacity
       integer(c_size_t), intent(inout), optional :: count
       integer(c_int32_t) :: fmc_context_vjp
+    end function
+    function fmc_context_set_pair_wear(context, a_kind, a, b_kind, b, wear_a, wear_b) bind(c)
+      import
+      type(c_ptr), value :: context
+      integer(c_int32_t), value :: a_kind
+      integer(c_size_t), value :: a
+      integer(c_int32_t), value :: b_kind
+      integer(c_size_t), value :: b
+      real(c_double), value :: wear_a
+      real(c_double), value :: wear_b
+      integer(c_int32_t) :: fmc_context_set_pair_wear
+    end function
+    function fmc_context_pair_wear(context, a_kind, a, b_kind, b, wear_a, wear_b) bind(c)
+      import
+      type(c_ptr), value :: context
+      integer(c_int32_t), value :: a_kind
+      integer(c_size_t), value :: a
+      integer(c_int32_t), value :: b_kind
+      integer(c_size_t), value :: b
+      real(c_double), intent(inout), optional :: wear_a(*)
+      real(c_double), intent(inout), optional :: wear_b(*)
+      integer(c_int32_t) :: fmc_context_pair_wear
+    end function
+    function fmc_context_worn_depth(context, depth, capacity, count) bind(c)
+      import
+      type(c_ptr), value :: context
+      real(c_double), intent(inout), optional :: depth(*)
+      integer(c_size_t), value :: capacity
+      integer(c_size_t), intent(inout), optional :: count
+      integer(c_int32_t) :: fmc_context_worn_depth
+    end function
+    function fmc_context_worn_volumes(context, volumes, capacity, count) bind(c)
+      import
+      type(c_ptr), value :: context
+      real(c_double), intent(inout), optional :: volumes(*)
+      integer(c_size_t), value :: capacity
+      integer(c_size_t), intent(inout), optional :: count
+      integer(c_int32_t) :: fmc_context_worn_volumes
+    end function
+    function fmc_context_worn_facets(context, worn, capacity, count) bind(c)
+      import
+      type(c_ptr), value :: context
+      real(c_double), intent(inout), optional :: worn(*)
+      integer(c_size_t), value :: capacity
+      integer(c_size_t), intent(inout), optional :: count
+      integer(c_int32_t) :: fmc_context_worn_facets
+    end function
+    function fmc_context_set_worn_facets(context, worn, count) bind(c)
+      import
+      type(c_ptr), value :: context
+      real(c_double), intent(in), optional :: worn(*)
+      integer(c_size_t), value :: count
+      integer(c_int32_t) :: fmc_context_set_worn_facets
+    end function
+    function fmc_context_set_wear_cycles(context, cycles) bind(c)
+      import
+      type(c_ptr), value :: context
+      real(c_double), value :: cycles
+      integer(c_int32_t) :: fmc_context_set_wear_cycles
     end function
     function fmc_context_slip(context, slip, capacity, count) bind(c)
       import

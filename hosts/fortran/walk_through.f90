@@ -65,7 +65,7 @@ contains
   subroutine walk
     real(c_double), parameter :: k = 1d5, depth = 0.01d0
     real(c_double) :: x(2, 8), y(2, 8), forces(2, 8), there(2, 8), pressure(8), normal(2, 8), masses(8), change(2, 8)
-    real(c_double), allocatable :: values(:), carried(:, :), carried_law(:)
+    real(c_double), allocatable :: values(:), carried(:, :), carried_law(:), depths(:), volumes(:), worn(:, :)
     real(c_double), target :: height = 0
     real(c_double) :: all_of(16), by(16), kept(2, 8), ring(2, 8), apart(2, 8), pulled(2, 8)
     integer :: conn(4, 2) = reshape([1, 2, 3, 4, 5, 6, 7, 8], [4, 2]), quarters(3, 4), index, stat, row
@@ -163,7 +163,24 @@ contains
     call squares%set_slip(carried)
     call squares%evaluate(y, there)
     call expect("friction after a restart", maxval(abs(there - forces)), 0d0, 1d-9*k)
-    kept = there
+
+    ! Wear of both, by Archard's law: what they have slid by wears them off, each by as much.
+    call squares%set_pair_wear(FMC_PARTNER_BODY, 1, FMC_PARTNER_BODY, 2, 1d-6, 1d-6)
+    call squares%set_wear_cycles(100d0)
+    y(2, 5:8) = y(2, 5:8) + 0.05d0
+    call squares%commit_step(y)
+    call squares%worn_depth(depths)
+    call squares%worn_volumes(volumes)
+    call squares%worn_facets(worn)
+    ! But for the rims, by the penetration over the width.
+    call expect("volumes that are worn off", volumes(1), volumes(2), 2d-2*volumes(2))
+    call expect("volumes by facet", sum(worn(4, :)), sum(volumes), 1d-12*volumes(2))
+    if (maxval(depths) <= 0) call expect("worn depth", 0d0, 1d0, 0d0)
+    call squares%set_worn_facets(worn(:, 1:0))
+    call squares%worn_volumes(volumes)
+    call expect("nothing is worn off", maxval(volumes), 0d0, 0d0)
+    call squares%set_pair_wear(FMC_PARTNER_BODY, 1, FMC_PARTNER_BODY, 2, 0d0, 0d0)
+    call squares%evaluate(y, kept)
 
     ! Obstacles: a plane, and the same by a signed distance of the host's.
     call block%from_cells(x(:, 1:4), FMC_QUAD4, conn(:, 1:1), contact_options(k))

@@ -297,6 +297,28 @@ class Context : public AddsShapes<Context> {
   }
   void set_slip(View<const double> slip) { call(fmc_context_set_slip(get(), slip.data(), slip.size())); }
 
+  // Wear: what both sides of a pair wear by, depth at every node, volume of every body, and (rows, 4) for a restart; the wear of a step
+  // counts for so many cycles.
+  void set_pair_wear(Partner a, Partner b, double wear_a, double wear_b) {
+    call(fmc_context_set_pair_wear(get(), a.kind, a.index, b.kind, b.index, wear_a, wear_b));
+  }
+  std::array<double, 2> pair_wear(Partner a, Partner b) const {
+    std::array<double, 2> found{};
+    check(fmc_context_pair_wear(get(), a.kind, a.index, b.kind, b.index, &found[0], &found[1]));
+    return found;
+  }
+  std::vector<double> worn_depth() const {
+    return detail::rows<double>([&](auto... room) { return fmc_context_worn_depth(get(), room...); });
+  }
+  std::vector<double> worn_volumes() const {
+    return detail::rows<double>([&](auto... room) { return fmc_context_worn_volumes(get(), room...); });
+  }
+  std::vector<double> worn_facets() const {
+    return detail::rows<double>([&](auto... room) { return fmc_context_worn_facets(get(), room...); });
+  }
+  void set_worn_facets(View<const double> worn) { call(fmc_context_set_worn_facets(get(), worn.data(), worn.size())); }
+  void set_wear_cycles(double cycles) { call(fmc_context_set_wear_cycles(get(), cycles)); }
+
   // Equilibrium of the contact with condensed bodies, of stiffness (n, n) and residual (n) on n degrees of freedom; `fixed`: others
   // that do not move; `place` moves the nodes that follow.
   ContactStep contact_step(Coords coords, View<const int64_t> dofs, View<const double> stiffness, View<const double> residual,

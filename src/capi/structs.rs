@@ -31,3 +31,4 @@ pub(super) mod signed_distance;
 pub(super) mod slip_row;
 pub(super) mod tie;
 pub(super) mod view;
+pub(super) mod worn_row;

@@ -10,7 +10,7 @@
 //! the step began) · `moved_out` (surfaces that multipliers move out) · `side_motion` (how one side moved since) · `touch` (the part of the step during which a facet bears) · `carried` (elastic slip from one step to the next) · `carriers` (the facets on which a point
 //! lies) · `energy` (what a facet has dissipated) · `bore` (limits before) · `facet_sums` (sums over the points of a facet) · `slip_facets` (the facets of a pair with their slip) ·
 //! `tractions` (forces, tangent and energies of a pair) · `frozen` (facets and pressure of an earlier iteration) ·
-//! `at_points` (what hosts see) · `heat` (where dissipated energy goes)
+//! `at_points` (what hosts see) · `heat` (where dissipated energy goes) · `worn_off` (by what slides)
 
 mod at_points;
 mod bore;
@@ -33,6 +33,7 @@ mod step;
 mod touch;
 mod traction;
 mod tractions;
+mod worn_off;
 
 pub(super) use at_points::{NodalFriction, PointFriction};
 pub use carried::FacetSlip;

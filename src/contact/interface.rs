@@ -1,6 +1,6 @@
 //! What hosts call: `contact` (the functions of [`Contact`](crate::Contact)) · `gradients` (its derivatives) · `flux` (of scalar fields) ·
 //! `ties` (of bodies that are tied) · `added_ties` (those beside the options of pairs) · `cohesive` (of interfaces that break) · `governed` (of those by a law of the host) · `offsets` (of surfaces beside their nodes) · `surfaces` (named
-//! parts of them) · `stateless` (all in one call)
+//! parts of them) · `wear` · `stateless` (all in one call)
 
 mod added_ties;
 mod cohesive;
@@ -12,5 +12,6 @@ mod offsets;
 mod stateless;
 mod surfaces;
 mod ties;
+mod wear;
 
 pub use stateless::{FrictionStep, contact_force, contact_force_step};

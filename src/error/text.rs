@@ -135,7 +135,7 @@ impl fmt::Display for Error {
             }
             Error::Place { code } => write!(f, "the function that places the nodes returned {code}"),
             Error::NonFiniteSlip { facet } => write!(f, "the slip of facet {facet} is not finite"),
-            Error::SlipRow { row, what } => write!(f, "row {row} of the slip, counted from 0, names {what}"),
+            Error::NoSuchRow { list, row, what } => write!(f, "row {row} of the {list}, counted from 0, names {what}"),
             Error::NoStep => {
                 write!(
                     f,

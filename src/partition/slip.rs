@@ -46,7 +46,7 @@ impl<const D: usize> PartitionedContact<D> {
     /// the same, after [`Contact::begin_step`](crate::Contact::begin_step) at the coordinates of that time.
     ///
     /// # Errors
-    /// [`Error::NoStep`], [`Error::SlipRow`], [`Error::NonFiniteSlip`], naming the index in the list, [`Error::Unsupported`] for a facet
+    /// [`Error::NoStep`], [`Error::NoSuchRow`], [`Error::NonFiniteSlip`], naming the index in the list, [`Error::Unsupported`] for a facet
     /// that was not gathered, which cannot have been in contact when the step began. The old slip then stays.
     pub fn set_slip(&mut self, carried: &[CarriedSlip<D>]) -> Result<(), Error> {
         let numbers = self.zone.facet_numbers();

@@ -7,7 +7,7 @@ use std::fs;
 pub(crate) type Section = (&'static str, &'static [&'static str]);
 
 /// In the order in which a host meets them. Within a section types come before functions.
-pub(crate) const SECTIONS: [Section; 20] = [
+pub(crate) const SECTIONS: [Section; 21] = [
     ("Version", &["calls/version"]),
     ("Statuses, and the text of an error", &["boundary/status", "boundary/status_class", "boundary/last_error"]),
     ("Options", &["structs/law", "structs/options", "calls/options/option_keys", "calls/options/stiffness"]),
@@ -102,6 +102,7 @@ pub(crate) const SECTIONS: [Section; 20] = [
             "calls/results/gradients",
         ],
     ),
+    ("Wear", &["calls/steps/wear"]),
     ("Restart", &["calls/steps/slip", "calls/steps/damage", "calls/steps/law_history", "calls/steps/multipliers"]),
     (
         "Ranks, and a mesh in parts",

@@ -570,6 +570,26 @@ void friction_and_patches() {
   EXPECT(contact.slip() == kept);
   EXPECT(refused(FMC_ERROR_LENGTH, "", [&] { contact.set_slip({1.0}); }));
   EXPECT(refused(FMC_ERROR_INDEX_OUT_OF_RANGE, "row 0", [&] { contact.set_slip(Numbers(8, 0.5)); }));
+  EXPECT(contact.worn_facets().empty() && contact.worn_depth() == Numbers(8) && contact.worn_volumes() == Numbers(2));
+  contact.set_pair_wear(fmc::Partner::body(1), fmc::Partner::body(0), 0.25, 0.5);
+  EXPECT(contact.pair_wear(fmc::Partner::body(0), fmc::Partner::body(1)) == (std::array<double, 2>{0.5, 0.25}));
+  // Other options leave it, and it leaves them.
+  fmc::PairOptions rubbed;
+  rubbed.friction_coefficient = 0.5;
+  contact.set_pair_options(fmc::Partner::body(0), fmc::Partner::body(1), rubbed);
+  EXPECT(contact.pair_wear(fmc::Partner::body(0), fmc::Partner::body(1))[0] == 0.5);
+  contact.set_pair_wear(fmc::Partner::body(0), fmc::Partner::body(1), 0, 0);
+  EXPECT(contact.pair_options(fmc::Partner::body(0), fmc::Partner::body(1)).friction_coefficient == 0.5);
+  EXPECT(refused(FMC_ERROR_NOT_POSITIVE, "wear_coefficient", [&] { contact.set_pair_wear(fmc::Partner::body(0), fmc::Partner::body(1), -1, 0); }));
+  contact.clear_pair_options(fmc::Partner::body(0), fmc::Partner::body(1));
+  contact.set_wear_cycles(10);
+  EXPECT(refused(FMC_ERROR_NOT_POSITIVE, "wear_cycles", [&] { contact.set_wear_cycles(0); }));
+  contact.set_worn_facets({0.0, 0.0, 0.25, 0.5});
+  EXPECT(contact.worn_facets() == Numbers({0.0, 0.0, 0.25, 0.5}));
+  EXPECT(contact.worn_depth()[0] == 0.25 && contact.worn_volumes() == Numbers({0.5, 0.0}));
+  EXPECT(refused(FMC_ERROR_LENGTH, "", [&] { contact.set_worn_facets({1.0}); }));
+  EXPECT(refused(FMC_ERROR_INDEX_OUT_OF_RANGE, "row 0", [&] { contact.set_worn_facets(Numbers(4, 0.5)); }));
+  contact.set_worn_facets(Numbers());
   step.start = fmc::Coords(start.data(), 14);
   EXPECT(refused(FMC_ERROR_LENGTH, "start", [&] { fmc::contact_force(2, start, {{FMC_QUAD4, quads}}, options, {}, &step); }));
   contact.freeze_friction(start);

@@ -6,9 +6,13 @@ use super::numbers::Numbers;
 use crate::guarded::Guarded;
 use crate::interface::*;
 use crate::program::{Hole, Layout};
+use std::ptr::null_mut;
 
 impl Host {
     pub(super) fn step(&mut self, what: u8, read: Layout, value: f64, hole: Hole) {
+        if what % 11 == 10 {
+            self.wear(what, value);
+        }
         let coords = Array::new(&self.mesh.coords, self.mesh.dim, read);
         let view = coords.view;
         let coords = unless(hole, 0, (&raw const view).cast_mut()).cast_const();
@@ -33,6 +37,31 @@ impl Host {
                 3 => checked(fmc_context_set_slip(self.context, unless(hole, 1, slip.ptr()).cast_const(), length)),
                 _ => checked(fmc_context_slip(self.context, unless(hole, 1, slip.ptr()), length, std::ptr::null_mut())),
             };
+        }
+    }
+
+    /// What was worn off, set as it is told, and as no call tells it.
+    pub(super) fn wear(&mut self, what: u8, value: f64) {
+        let mut count = 0;
+        let context = self.context;
+        // SAFETY: a living context or NULL, and as many numbers as each call says.
+        unsafe {
+            if checked(fmc_context_worn_facets(context, null_mut(), 0, &raw mut count)) == OK {
+                let worn = Guarded::new(&vec![0.0; count]);
+                assert_eq!(checked(fmc_context_worn_facets(context, worn.ptr(), count, &raw mut count)), OK);
+                checked(fmc_context_set_worn_facets(context, worn.ptr().cast_const(), count));
+            }
+            if checked(fmc_context_worn_depth(context, null_mut(), 0, &raw mut count)) == OK {
+                let depth = Guarded::new(&vec![0.0; count]);
+                assert_eq!(checked(fmc_context_worn_depth(context, depth.ptr(), count, &raw mut count)), OK);
+            }
+            if checked(fmc_context_worn_volumes(context, null_mut(), 0, &raw mut count)) == OK {
+                let volumes = Guarded::new(&vec![0.0; count]);
+                assert_eq!(checked(fmc_context_worn_volumes(context, volumes.ptr(), count, &raw mut count)), OK);
+            }
+            let rows = Guarded::new(&[f64::from(what), f64::from(what / 3), value, 0.5, value]);
+            checked(fmc_context_set_worn_facets(context, rows.ptr().cast_const(), if what > 250 { 5 } else { 4 }));
+            checked(fmc_context_set_wear_cycles(context, value));
         }
     }
 

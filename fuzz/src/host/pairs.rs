@@ -70,6 +70,11 @@ impl Host {
                 (options.surface_a, options.surface_b) = (1, i32::from(from.law % 3));
             }
             options.gap_offset = from.gap_offset.map_or(0.0, |x| x.0);
+            if from.law % 7 == 6 {
+                checked(fmc_context_set_pair_wear(context, a_kind, a, b_kind, b, from.stiffness.0, 0.0));
+                let (mut of_a, mut of_b) = (77.0, 77.0);
+                checked(fmc_context_pair_wear(context, a_kind, a, b_kind, b, &raw mut of_a, &raw mut of_b));
+            }
             let given = unless(hole, 0, &raw mut options).cast_const();
             let status = checked(fmc_context_set_pair_options(context, a_kind, a, b_kind, b, given));
             let after = found();

@@ -253,7 +253,7 @@ impl From<&Error> for fmc_status {
             Error::OfPair { cause, .. } => Self::from(&**cause),
             Error::NonFiniteSlip { .. } => FMC_ERROR_NON_FINITE_SLIP,
             Error::NegativeRadius { .. } => FMC_ERROR_NEGATIVE_RADIUS,
-            Error::UnknownOutOfRange { .. } | Error::SlipRow { .. } => FMC_ERROR_INDEX_OUT_OF_RANGE,
+            Error::UnknownOutOfRange { .. } | Error::NoSuchRow { .. } => FMC_ERROR_INDEX_OUT_OF_RANGE,
             Error::NonConforming { .. } => FMC_ERROR_NON_CONFORMING,
             Error::SingularStiffness { .. } => FMC_ERROR_SINGULAR_STIFFNESS,
             Error::IndefiniteStiffness { .. } => FMC_ERROR_INDEFINITE_STIFFNESS,

@@ -10,3 +10,4 @@ pub(super) mod patches;
 pub(super) mod slip;
 pub(super) mod stable_step;
 pub(super) mod step_limit;
+pub(super) mod wear;

@@ -1,6 +1,6 @@
 //! A contact of one dimension, as the C interface sees it.
 //!
-//! `mesh` · `partners` · `steps` · `results` · `gradients` · `flux`
+//! `mesh` · `partners` · `steps` · `results` · `gradients` · `flux` · `wear`
 //!
 //! # Safety
 //! Of all that is unsafe here the caller guarantees the views, shapes and functions that it passes on, as the host has guaranteed them: they
@@ -15,6 +15,7 @@ mod partners;
 mod results;
 mod steps;
 mod ties;
+mod wear;
 
 use super::session::Counts;
 use crate::capi::boundary::failure::Failure;

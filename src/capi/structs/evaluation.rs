@@ -180,6 +180,9 @@ pub enum fmc_warning {
     /// Facets in contact are perpendicular to the direction along which the friction of the pair has a coefficient of its own; the text
     /// gives one of them, counted from `index_base`, and their part of the friction. The transverse coefficient holds there for all slip.
     FMC_WARNING_NO_FRICTION_DIRECTION = 13,
+    /// A step, with all of its cycles, would wear off more than the sides of a pair penetrate; the text gives the ratio. Pressures may go up
+    /// and down from step to step: take smaller steps, or fewer cycles (`fmc_context_set_wear_cycles`).
+    FMC_WARNING_LARGE_WEAR = 14,
 }
 
 fn warning_code(warning: &Warning) -> i32 {
@@ -196,6 +199,7 @@ fn warning_code(warning: &Warning) -> i32 {
         Warning::UnusedSmoothing { .. } => fmc_warning::FMC_WARNING_UNUSED_SMOOTHING,
         Warning::TiedInPart { .. } => fmc_warning::FMC_WARNING_TIED_IN_PART,
         Warning::NoFrictionDirection { .. } => fmc_warning::FMC_WARNING_NO_FRICTION_DIRECTION,
+        Warning::LargeWear { .. } => fmc_warning::FMC_WARNING_LARGE_WEAR,
         Warning::SwallowedBody { .. } => fmc_warning::FMC_WARNING_SWALLOWED_BODY,
     };
     code as i32

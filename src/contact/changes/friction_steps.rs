@@ -7,6 +7,7 @@ use crate::contact::friction::{
     CarriedSlip, FacetSlip, FrozenFriction, MovedOut, PastPoints, SliderName, SlipFacets, Step, list_slip, slip_of_list,
 };
 use crate::contact::history::{Bearings, Begun};
+use crate::contact::wear::{Worn, WornFacet};
 use crate::geometry::Vector;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -14,19 +15,35 @@ use std::collections::{BTreeMap, BTreeSet};
 pub(crate) fn begin<const D: usize>(contact: &mut Contact<D>, coords: &[[f64; D]]) -> Result<(), Error> {
     contact.mesh.check_brought(coords)?;
     contact.mesh.surface.check_coords(&contact.mesh.points(coords)?, true)?;
-    let glides = contact.glides.moved_on(&contact.mesh, contact.method.weighting(), &contact.mesh.points(coords)?)?;
-    let before = contact.history.step.take();
-    let slip = before.as_ref().map_or_else(CarriedSlip::new, |step| step.slip.clone());
-    let begun = step_at(contact, coords, slip)?;
-    contact.history.step = Some(begun.clone());
-    match bearings(contact, || kernels::slip_facets(contact, coords)) {
-        Ok(bearings) => contact.history.begin(begun, bearings),
+    let points = contact.mesh.points(coords)?;
+    let glides = contact.glides.moved_on(&contact.mesh, contact.method.weighting(), &points)?;
+    let slip = contact.history.step.as_ref().map_or_else(CarriedSlip::new, |step| step.slip.clone());
+    let worn = contact.history.worn.clone().at(&contact.mesh.surface, &points);
+    begin_worn(contact, coords, slip, worn)?;
+    contact.glides = glides;
+    Ok(())
+}
+
+/// The same with what is carried into the step, and with what is worn off. On an error nothing has changed.
+fn begin_worn<const D: usize>(
+    contact: &mut Contact<D>,
+    coords: &[[f64; D]],
+    slip: CarriedSlip<D>,
+    worn: Worn<D>,
+) -> Result<(), Error> {
+    let before = (contact.history.step.take(), std::mem::replace(&mut contact.history.worn, worn));
+    let measure = || {
+        let begun = step_at(contact, coords, slip)?;
+        contact.history.step = Some(begun.clone());
+        Ok((begun, bearings(contact, || kernels::slip_facets(contact, coords))?))
+    };
+    match measure() {
+        Ok((begun, bearings)) => contact.history.begin(begun, bearings),
         Err(error) => {
-            contact.history.step = before;
+            (contact.history.step, contact.history.worn) = before;
             return Err(error);
         }
     }
-    contact.glides = glides;
     Ok(())
 }
 
@@ -40,9 +57,17 @@ pub(crate) fn commit<const D: usize>(contact: &mut Contact<D>, coords: &[[f64; D
     let of_laws = contact.at_points(&points, |at| contact.governed.gone_on(at))?;
     let glides = contact.glides.moved_on(&contact.mesh, contact.method.weighting(), &points)?;
     let slip = pairs.iter().flat_map(SlipFacets::carried).collect();
-    let next = step_at(contact, coords, slip)?;
-    let bearings = bearings(contact, || Ok(pairs))?;
-    contact.history.begin(next, bearings);
+    let worn_off = if contact.partners.table.has_wear() { kernels::worn_off(contact, coords)? } else { Vec::new() };
+    let (surface, worn) = (&contact.mesh.surface, contact.history.worn.clone());
+    let worn = worn.grown(surface, &points, contact.method.weighting(), worn_off)?;
+    if worn.is_empty() {
+        let next = step_at(contact, coords, slip)?;
+        let bearings = bearings(contact, || Ok(pairs))?;
+        contact.history.begin(next, bearings);
+    } else {
+        // Facets bear on surfaces that lie elsewhere now, as at the start of a step that begins here.
+        begin_worn(contact, coords, slip, worn)?;
+    }
     (contact.history.damage, contact.history.of_laws) = (damage, of_laws);
     contact.glides = glides;
     Ok(())
@@ -66,6 +91,21 @@ pub(crate) fn carried_of<const D: usize>(contact: &Contact<D>, slip: &[FacetSlip
     let ranges = &mesh.surface.ranges;
     let body_of = |facet: usize| ranges.iter().position(|range| range.contains(&facet));
     slip_of_list(slip, body_of, [ranges.len(), partners.obstacles.count()])
+}
+
+/// Sets what is worn off. On an error nothing has changed.
+pub(crate) fn set_worn<const D: usize>(contact: &mut Contact<D>, list: &[WornFacet]) -> Result<(), Error> {
+    let Contact { mesh, history, .. } = contact;
+    if !list.is_empty() {
+        mesh.surface.refuse_submesh("worn facets of a mesh in parts")?;
+    }
+    let worn = Worn::of_list(list, &mesh.surface)?;
+    history.worn = match &history.step {
+        Some(step) => worn.at(&mesh.surface, step.coords.placed()),
+        None => worn,
+    };
+    history.release_friction();
+    Ok(())
 }
 
 /// Goes on with a step that was laid aside.

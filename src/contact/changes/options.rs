@@ -65,6 +65,9 @@ pub(crate) fn set_pair<const D: usize>(
     if let Some(orthotropic) = options.and_then(|options| options.orthotropic) {
         check_carrier(&contact.mesh, pair[usize::from(orthotropic.of_second)])?;
     }
+    if options.is_some_and(|options| options.wear_coefficients != [0.0; 2]) {
+        contact.mesh.surface.refuse_submesh("a wear coefficient of a mesh in parts")?;
+    }
     let own_before = contact.partners.table.options(&pair);
     contact.partners.set_pair_options(pair, options, &of_contact)?;
     if let Err(error) = set_interface(contact, pair, options, own_law) {

@@ -5,10 +5,11 @@ use super::friction_heat::friction_heat_in;
 use super::gradients::gradients_in;
 use super::measured::measured_pairs;
 use super::parts::Contact;
-use super::points::{Points, moved_out};
+use super::points::{Points, measured_at};
 use super::sliding::{check_ready, sliding};
 use super::slip_facets::slip_facets_in;
 use super::walk::{for_each_pair, for_each_pair_within};
+use super::worn_off::{large_wear, worn_off_in};
 use crate::Error;
 use crate::contact::derivatives::{GradientRequest, Gradients, SlipSeeds};
 use crate::contact::explicit::largest_step;
@@ -19,6 +20,7 @@ use crate::contact::results::{
     ContactForces, FrictionHeat, GapConstraints, NodalContact, OntoNodes, PairForces, PointOfContact, points_of_contact,
 };
 use crate::contact::tangents::{Tangent, TangentPart};
+use crate::contact::wear::WornOff;
 use crate::dimension::{recast, rows};
 use crate::overlap::normal_lines::estimate as normal_lines;
 use crate::overlap::{self, Block, FiberTrace, Overlap, Partner, Patches, Reach, Warning};
@@ -30,7 +32,7 @@ pub(crate) type SlipFacetsByPair<const D: usize> = Vec<SlipFacets<D>>;
 /// Patches by pair.
 pub(crate) type PatchesByPair<const D: usize> = Vec<([Partner; 2], Patches<D>)>;
 
-/// Which surfaces are measured.
+/// Which surfaces are measured, all as they are worn.
 #[derive(Clone, Copy, PartialEq)]
 enum Surfaces {
     /// Where they are.
@@ -46,9 +48,12 @@ fn on_points<const D: usize, T: OntoNodes>(
     surfaces: Surfaces,
     work: impl FnOnce(&Points<D>) -> Result<T, Error>,
 ) -> Result<T, Error> {
+    contact.history.check_worn()?;
     let unshifted = contact.mesh.points(coords)?;
-    let shifted = if surfaces == Surfaces::Shifted { moved_out(contact, &unshifted) } else { None };
-    let slides = shifted.is_some() && contact.partners.has_friction(contact.method.options());
+    let shifted = measured_at(contact, &unshifted, surfaces == Surfaces::Shifted);
+    let partners = &contact.partners;
+    let slides = partners.has_friction(contact.method.options()) || partners.table.has_wear();
+    let slides = shifted.is_some() && slides;
     let vertices = if slides { contact.mesh.surface.points(&unshifted) } else { Vec::new() };
     let found = work(&Points { measured: shifted.as_deref().unwrap_or(&unshifted), unshifted: &unshifted, vertices });
     let Some(division) = contact.mesh.surface.division() else { return found };
@@ -109,6 +114,11 @@ macro_rules! conduction {
         Vec<Block<1>>
     };
 }
+macro_rules! worn_list {
+    ($d:expr) => {
+        Vec<WornOff>
+    };
+}
 macro_rules! slip_list { ($d:expr) => { SlipFacetsByPair<$d> }; }
 macro_rules! patch_list { ($d:expr) => { PatchesByPair<$d> }; }
 
@@ -140,6 +150,8 @@ kernel! { /// Conduction by points.
 flux = flux_in(request: &FluxRequest) -> conduction }
 kernel! { /// Heat of friction.
 friction_heat = friction_heat_in(effusivities: Option<&[f64]>) -> heat }
+kernel! { /// What sliding wears off.
+worn_off = worn_off_in() -> worn_list }
 kernel! { /// Facets on which friction acts.
 slip_facets = slip_facets_in() -> slip_list }
 kernel! { /// Patches of all pairs, for all facets.
@@ -187,6 +199,7 @@ fn forces_of<const D: usize>(
     }));
     forces.warnings.extend(unused_smoothing(contact, &forces.pairs));
     forces.warnings.extend(tractions.iter().filter_map(without_direction));
+    forces.warnings.extend(tractions.iter().filter_map(|tractions| large_wear(contact, tractions)));
     Ok(if contact.method.options().axisymmetric { forces.without_moments() } else { forces })
 }
 

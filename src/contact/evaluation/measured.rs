@@ -3,7 +3,7 @@
 use super::bring::with_state;
 use super::parts::Contact;
 use super::points::Points;
-use super::sliding::{check_ready, released, sliding};
+use super::sliding::{check_ready, released, sliding, wearing_freely};
 use super::walk::for_each_pair;
 use crate::Error;
 use crate::contact::friction::{SlipFacets, Tractions};
@@ -29,17 +29,20 @@ pub(super) fn measured_pairs<const D: usize>(
     };
     let found = each(&|measured| {
         let slides = if contact.history.frozen.is_none() { sliding(contact, coords, measured)? } else { None };
-        let (slides_here, wants_energy) = (slides.is_some(), asked.energy);
+        let wears = if slides.is_none() && asked.energy { wearing_freely(contact, coords, measured) } else { None };
+        let (slides_here, wants_energy) = (slides.is_some() || wears.is_some(), asked.energy);
         let asked = Asked { slides: slides_here, energy: wants_energy || asked.rotations, ..*asked };
         let Some(mut answer) = measured.law.measure(measured, &asked)? else { return Ok(None) };
         if let Some(part) = asked.tangent.filter(|_| asked.rotations) {
             add_rotation(measured, &mut answer, part, contact.partners.obstacles.count())?;
             answer.energy = answer.energy.filter(|_| wants_energy);
         }
-        let tractions = slides.map(|sliding| {
-            let facets = SlipFacets::new(measured, &sliding, &std::mem::take(&mut answer.points));
-            tractions_of(&facets)
-        });
+        let points = std::mem::take(&mut answer.points);
+        let tractions = match (slides, wears) {
+            (Some(sliding), _) => Some(tractions_of(&SlipFacets::new(measured, &sliding, &points))),
+            (None, Some(free)) => Some(SlipFacets::new(measured, &free, &points).without_friction()),
+            (None, None) => None,
+        };
         Ok(Some((answer, tractions)))
     })?;
     let (mut answers, tractions): (Vec<_>, Vec<_>) = found.into_iter().unzip();

@@ -2,6 +2,7 @@
 
 use super::parts::Contact;
 use crate::contact::friction::Material;
+use crate::contact::history::History;
 use crate::geometry::Vector;
 use std::ops::Deref;
 
@@ -30,13 +31,27 @@ impl<const D: usize> Deref for Points<'_, D> {
     }
 }
 
-/// The points of the straight mesh as surfaces are measured that the multipliers move out; `None` where there are none.
+/// The points of the straight mesh as surfaces are measured that are worn, and that the multipliers move out; `None` where none are.
 pub(crate) fn moved_out<const D: usize>(contact: &Contact<D>, points: &[[f64; D]]) -> Option<Vec<[f64; D]>> {
-    if contact.history.multipliers.is_empty() {
+    measured_at(contact, points, true)
+}
+
+/// The same, or of surfaces that are worn alone.
+pub(super) fn measured_at<const D: usize>(
+    contact: &Contact<D>,
+    points: &[[f64; D]],
+    with_multipliers: bool,
+) -> Option<Vec<[f64; D]>> {
+    let History { worn, multipliers, .. } = &contact.history;
+    let multipliers = Some(multipliers).filter(|all| with_multipliers && !all.is_empty());
+    if worn.is_empty() && multipliers.is_none() {
         return None;
     }
     let mut moved = points.to_vec();
-    contact.history.multipliers.add_to(&mut moved);
+    worn.add_to(&mut moved);
+    if let Some(multipliers) = multipliers {
+        multipliers.add_to(&mut moved);
+    }
     if !contact.method.weighting().is_plain() {
         // A surface is moved out no farther than to the axis, and along it there: normals of its facets alone do not know of it.
         moved.iter_mut().zip(points).for_each(|(point, at)| point[0] = point[0].max(at[0].min(0.0)));

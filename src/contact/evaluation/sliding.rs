@@ -3,7 +3,7 @@
 use super::parts::Contact;
 use super::points::Points;
 use crate::Error;
-use crate::contact::friction::{Sliding, Stick};
+use crate::contact::friction::{Friction, Sliding, Step, Stick};
 use crate::contact::laws::{Measured, PairLaw};
 use crate::overlap::Partner;
 
@@ -22,6 +22,47 @@ pub(super) fn sliding<'a, const D: usize>(
 ) -> Result<Option<Sliding<'a, D>>, Error> {
     let sliding = sliding_of(contact, &measured.pair.partners, measured.law)?;
     Ok(sliding.map(|sliding| Sliding { material: coords.material(), ..sliding }))
+}
+
+/// How a pair slides of which a side wears, freely where it has no friction, and what its sides wear by, all cycles of the step together;
+/// `None` where neither does.
+pub(super) fn wearing<'a, const D: usize>(
+    contact: &'a Contact<D>,
+    coords: &'a Points<D>,
+    measured: &Measured<D>,
+) -> Result<Option<(Sliding<'a, D>, [f64; 2])>, Error> {
+    let Contact { partners, history, .. } = contact;
+    let Some(coefficients) = partners.table.wear(&measured.pair.partners) else { return Ok(None) };
+    let sliding = match sliding(contact, coords, measured)? {
+        Some(sliding) => sliding,
+        None => free(history.step()?, coords),
+    };
+    Ok(Some((sliding, coefficients.map(|coefficient| coefficient * history.wear_cycles))))
+}
+
+/// How a pair slides of which a side wears, and that has no friction, once a step has begun.
+pub(super) fn wearing_freely<'a, const D: usize>(
+    contact: &'a Contact<D>,
+    coords: &'a Points<D>,
+    measured: &Measured<D>,
+) -> Option<Sliding<'a, D>> {
+    let Contact { partners, method, history, .. } = contact;
+    let pair = &measured.pair.partners;
+    let wears = partners.table.wear(pair).is_some() && !partners.friction_of(pair, method.options()).is_active();
+    history.step.as_ref().filter(|_| wears).map(|step| free(step, coords))
+}
+
+/// All of the slip of what nothing holds is slid, whatever the slip from which friction without memory would act in full.
+fn free<'a, const D: usize>(step: &'a Step<D>, coords: &'a Points<D>) -> Sliding<'a, D> {
+    Sliding {
+        friction: Friction::coulomb(1.0),
+        orthotropy: None,
+        stick: Stick::Memoryless(1.0),
+        step,
+        material: coords.material(),
+        bearings: None,
+        is_by_depth: false,
+    }
 }
 
 /// The same of a pair that follows this law.

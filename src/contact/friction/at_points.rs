@@ -64,7 +64,12 @@ impl<const D: usize> SlipFacets<D> {
     }
 
     /// Calls `visit(number of the point, its share in a facet)`.
-    fn for_each_share(&self, pair: &Pair<D>, points: &[PressurePoint<D>], mut visit: impl FnMut(usize, Share<D>)) {
+    pub(super) fn for_each_share(
+        &self,
+        pair: &Pair<D>,
+        points: &[PressurePoint<D>],
+        mut visit: impl FnMut(usize, Share<D>),
+    ) {
         for (number, point) in points.iter().enumerate() {
             let Some(carriers) = Carriers::of(pair, point) else { continue };
             let mean = 1.0 / carriers.facets().count() as f64;
@@ -80,10 +85,12 @@ impl<const D: usize> SlipFacets<D> {
                     number,
                     Share {
                         of_b,
+                        facet: facet.facet,
                         part: carriers.part,
                         mean,
                         traction: traction.value,
                         slip: facet.trial - traction.elastic,
+                        slid_by_pressure: facet.slid_by_pressure(&traction),
                         sliding: f64::from(u8::from(traction.slides)),
                     },
                 );
@@ -93,15 +100,19 @@ impl<const D: usize> SlipFacets<D> {
 }
 
 /// What a facet does at a point.
-struct Share<const D: usize> {
-    of_b: bool,
+pub(super) struct Share<const D: usize> {
+    pub(super) of_b: bool,
+    /// Its number in the surface.
+    pub(super) facet: usize,
     /// Part of the point's area.
-    part: f64,
+    pub(super) part: f64,
     /// One by the number of facets on which the point lies.
     mean: f64,
     /// By which the first side is held back.
     traction: Vector<D>,
     slip: Vector<D>,
+    /// The way, by the mean of the pressure meanwhile over that at the end.
+    pub(super) slid_by_pressure: f64,
     /// 1 where the facet slides, else 0.
     sliding: f64,
 }

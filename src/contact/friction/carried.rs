@@ -52,7 +52,7 @@ pub(crate) fn list<const D: usize>(carried: &CarriedSlip<D>) -> Vec<FacetSlip<D>
 /// Of a list; `body_of` is the body of a facet, if there is such a facet, `counts` are the numbers of bodies and obstacles.
 ///
 /// # Errors
-/// [`Error::SlipRow`], naming the row, [`Error::NonFiniteSlip`].
+/// [`Error::NoSuchRow`], naming the row, [`Error::NonFiniteSlip`].
 pub(crate) fn of_list<const D: usize>(
     list: &[FacetSlip<D>],
     body_of: impl Fn(usize) -> Option<usize>,
@@ -60,7 +60,7 @@ pub(crate) fn of_list<const D: usize>(
 ) -> Result<CarriedSlip<D>, Error> {
     let mut carried = CarriedSlip::new();
     for (row, one) in list.iter().enumerate() {
-        let refuse = |what| Err(Error::SlipRow { row, what });
+        let refuse = |what| Err(Error::NoSuchRow { list: "slip", row, what });
         let Some(body) = body_of(one.facet) else { return refuse("a facet that there is not") };
         let is_there = match one.partner {
             Partner::Body(index) => index < body_count,

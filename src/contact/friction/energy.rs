@@ -41,6 +41,15 @@ impl<const D: usize> SlipFacet<D> {
         (lost + if self.counted > 0.0 { grown(self.counted) } else { slid }).max(0.0)
     }
 
+    /// How far it slid, by the mean of the pressure meanwhile over that at the end: as the limit, where that falls by nothing else.
+    pub(super) fn slid_by_pressure(&self, traction: &Traction<D>) -> f64 {
+        let slid = (self.trial - traction.elastic).norm();
+        match self.slider.stick {
+            Stick::Spring(stiffness) if self.weakening_slip == 0.0 => slid * self.mean_limit(traction, stiffness),
+            _ => slid,
+        }
+    }
+
     /// Mean of the limit while the facet slides, by that at the end: until it is reached the facet sticks, and it changes evenly. 1 where it
     /// is not known what the limit was.
     fn mean_limit(&self, traction: &Traction<D>, stiffness: f64) -> f64 {

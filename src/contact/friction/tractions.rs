@@ -46,7 +46,7 @@ pub struct FrictionTotals {
     pub stick_area: f64,
     /// Area that slides.
     pub slip_area: f64,
-    /// Largest slip since the step began that was not elastic.
+    /// Largest slip since the step began that was not elastic; also of pairs without friction that wear.
     pub largest_slip: f64,
 }
 
@@ -140,6 +140,13 @@ impl<const D: usize> Tractions<D> {
 }
 
 impl<const D: usize> SlipFacets<D> {
+    /// Of a pair that slides freely, of which only the slip is asked.
+    pub(crate) fn without_friction(&self) -> Tractions<D> {
+        let slips = self.tractions().map(|(facet, _, traction)| (facet.trial - traction.elastic).norm());
+        let totals = FrictionTotals { largest_slip: slips.fold(0.0, f64::max), ..FrictionTotals::default() };
+        Tractions { totals, ..Tractions::released(self.partners, 0.0) }
+    }
+
     fn undirected(&self) -> Option<Undirected> {
         let limit = |facet: &SlipFacet<D>| facet.area * facet.slider.limit;
         let found = || self.facets.iter().filter(|facet| facet.is_undirected);

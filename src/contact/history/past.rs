@@ -8,6 +8,7 @@ use crate::Error;
 use crate::contact::friction::{CarriedSlip, FrozenFriction, SlipFacets, Step};
 use crate::contact::held::{Damage, LawHistory};
 use crate::contact::partners::Poses;
+use crate::contact::wear::Worn;
 use crate::geometry::Surface;
 use crate::overlap::Partner;
 
@@ -22,6 +23,10 @@ pub(crate) struct History<const D: usize> {
     pub(crate) patches: KeptPatches<D>,
     /// How far surfaces are moved out so that they press without penetration.
     pub(crate) multipliers: Multipliers<D>,
+    /// What was worn off in the steps that were accepted.
+    pub(crate) worn: Worn<D>,
+    /// As many times the wear of a step counts.
+    pub(crate) wear_cycles: f64,
     /// What cohesive interfaces have been through in the steps that were accepted.
     pub(crate) damage: Damage,
     /// The same of interfaces by a law of the host.
@@ -42,6 +47,7 @@ pub(crate) struct History<const D: usize> {
 pub(crate) struct Begun<const D: usize> {
     step: Option<Step<D>>,
     bearings: Option<Bearings>,
+    worn: Worn<D>,
     damage: Damage,
     of_laws: LawHistory,
     stiffened: f64,
@@ -55,6 +61,8 @@ impl<const D: usize> History<D> {
             frozen: None,
             patches: KeptPatches::none(),
             multipliers: Multipliers::default(),
+            worn: Worn::none(),
+            wear_cycles: 1.0,
             damage: Damage::new(),
             of_laws: LawHistory::new(),
             time_step: 0.0,
@@ -71,15 +79,15 @@ impl<const D: usize> History<D> {
 
     /// What has begun, so that it can be laid aside.
     pub(crate) fn begun(&self) -> Begun<D> {
-        let (step, bearings) = (self.step.clone(), self.bearings.clone());
+        let (step, bearings, worn) = (self.step.clone(), self.bearings.clone(), self.worn.clone());
         let (damage, of_laws) = (self.damage.clone(), self.of_laws.clone());
-        Begun { step, bearings, damage, of_laws, stiffened: self.stiffened }
+        Begun { step, bearings, worn, damage, of_laws, stiffened: self.stiffened }
     }
 
     /// Goes on with a step that was laid aside; frozen friction is released. As [`Self::stiffen`].
     pub(crate) fn take_up(&mut self, begun: Begun<D>, is_slip_of_law: bool) {
         (self.step, self.bearings, self.frozen) = (begun.step, begun.bearings, None);
-        (self.damage, self.of_laws) = (begun.damage, begun.of_laws);
+        (self.worn, self.damage, self.of_laws) = (begun.worn, begun.damage, begun.of_laws);
         if is_slip_of_law {
             self.divide_slip(self.stiffened / begun.stiffened);
         }
@@ -100,6 +108,11 @@ impl<const D: usize> History<D> {
             step.slip.values_mut().for_each(|carried| carried.slip /= factor);
             self.frozen = None;
         }
+    }
+
+    /// Refuses surfaces that are worn before a step has begun: nobody knows yet where they lie.
+    pub(crate) fn check_worn(&self) -> Result<(), Error> {
+        if self.worn.is_empty() { Ok(()) } else { self.step().map(drop) }
     }
 
     /// The step that has begun.

@@ -331,7 +331,7 @@ impl<const D: usize> Contact<D> {
     /// of that time.
     ///
     /// # Errors
-    /// [`Error::NoStep`], [`Error::SlipRow`], [`Error::NonFiniteSlip`]; the old one then stays.
+    /// [`Error::NoStep`], [`Error::NoSuchRow`], [`Error::NonFiniteSlip`]; the old one then stays.
     pub fn set_slip(&mut self, slip: &[FacetSlip<D>]) -> Result<(), Error> {
         changes::friction_steps::set_slip(self, slip)
     }

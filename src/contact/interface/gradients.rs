@@ -38,7 +38,7 @@ impl<const D: usize> Contact<D> {
     /// start of a step it goes back from step to step.
     ///
     /// # Errors
-    /// As [`Self::vjp`]; [`Error::NoStep`], [`Error::SlipRow`] and [`Error::NonFiniteSlip`] for `slip`. [`Error::Unsupported`] for its
+    /// As [`Self::vjp`]; [`Error::NoStep`], [`Error::NoSuchRow`] and [`Error::NonFiniteSlip`] for `slip`. [`Error::Unsupported`] for its
     /// derivative by coordinates, poses and gap offsets.
     pub fn vjp_of_step(
         &self,

@@ -33,6 +33,12 @@ pub struct PairOptions {
     /// exact. Any other shape becomes the signed distance φ less the offset: edges that point outwards are rounded, and
     /// what holds for a [`Shape::SignedDistance`](crate::Shape::SignedDistance) holds for it.
     pub gap_offset: f64,
+    /// What either of the two wears by, in the order of the partners, 0 by default: a side that slides by |ds| under the pressure p loses
+    /// K p |ds| of its depth, in 1/pressure (Archard 1953: a wear coefficient without unit by the hardness). Obstacles do not wear. With the
+    /// laws `depth` and `fiber`.
+    ///
+    /// Surfaces wear in [`Contact::commit_step`](crate::Contact::commit_step) alone, see [`Contact::wear`](crate::Contact::wear).
+    pub wear_coefficients: [f64; 2],
     /// What happens between the two.
     pub interface: Interface,
     /// With an interface that holds bodies together: a named part of the surface of either, in the order of the partners
@@ -150,7 +156,8 @@ impl PairOptions {
     /// Those of the same pair with its partners in the other order.
     pub(crate) fn swapped(self) -> Self {
         let orthotropic = self.orthotropic.map(OrthotropicFriction::swapped);
-        Self { surfaces: self.surfaces.map(|[a, b]| [b, a]), orthotropic, ..self }
+        let [a, b] = self.wear_coefficients;
+        Self { surfaces: self.surfaces.map(|[a, b]| [b, a]), orthotropic, wear_coefficients: [b, a], ..self }
     }
 
     /// Whether the two press and rub somewhere: they are neither left out nor tied, nor held together by an interface that breaks, unless
@@ -168,6 +175,11 @@ impl PairOptions {
     /// A pair whose contact begins at a distance.
     pub fn with_gap_offset(gap_offset: f64) -> Self {
         Self { gap_offset, ..Self::default() }
+    }
+
+    /// A pair of which either side wears by a coefficient.
+    pub fn with_wear(coefficients: [f64; 2]) -> Self {
+        Self { wear_coefficients: coefficients, ..Self::default() }
     }
 
     /// A pair with a coefficient of friction of its own.

@@ -124,6 +124,16 @@ impl<const D: usize> PairTable<D> {
         self.0.values().any(|entry| entry.options.friction(Friction::default()).is_active())
     }
 
+    /// What the sides of the pair wear by; `None`: neither does.
+    pub(crate) fn wear(&self, pair: &[Partner; 2]) -> Option<[f64; 2]> {
+        self.0.get(pair).map(|entry| entry.options.wear_coefficients).filter(|both| *both != [0.0; 2])
+    }
+
+    /// Whether any pair wears.
+    pub(crate) fn has_wear(&self) -> bool {
+        self.0.keys().any(|pair| self.wear(pair).is_some())
+    }
+
     /// Whether all entries are allowed beside these options.
     pub(crate) fn check(&self, defaults: &Options) -> Result<(), Error> {
         self.0.iter().try_for_each(|(pair, entry)| check::<D>(pair, &entry.options, defaults))
@@ -144,6 +154,7 @@ fn check<const D: usize>(pair: &[Partner; 2], options: &PairOptions, defaults: &
         .and(own)
         .and_then(|()| Options { law, friction, ..*defaults }.check())
         .and_then(|()| check_offset(pair, options, law.needs_depth()))
+        .and_then(|()| check_wear(pair, options, &law))
         .map_err(of_pair)
 }
 
@@ -163,6 +174,29 @@ fn check_orthotropic<const D: usize>(
             "a transverse_coefficient of a body with itself, of which either side might have the direction"
         }
         _ => return orthotropic.check(&options.friction_along(defaults.friction)),
+    };
+    Err(Error::Unsupported { what })
+}
+
+/// What cannot wear.
+fn check_wear(pair: &[Partner; 2], options: &PairOptions, law: &EnergyLaw) -> Result<(), Error> {
+    let [a, b] = options.wear_coefficients;
+    let is_held = !matches!(options.interface, Interface::Contact | Interface::Rough);
+    let what = match (pair, options.interface) {
+        _ if [a, b] == [0.0; 2] => return Ok(()),
+        ([_, Partner::Obstacle(_)], _) if b != 0.0 => "a wear coefficient of an obstacle, which does not wear",
+        ([one, other], _) if one == other => "a wear coefficient of a body with itself",
+        (_, Interface::Rough) => "a wear coefficient of a rough pair, which never slides",
+        _ if is_held && options.surfaces.is_none() => {
+            "a wear coefficient of bodies that are tied, do not separate, or have a cohesive interface"
+        }
+        _ if matches!(law, EnergyLaw::Volume { .. }) => {
+            "a wear coefficient by the law volume, whose pressure is one for the whole pair: give the pair the law depth"
+        }
+        _ => {
+            let bad = [a, b].into_iter().find(|value| !(value.is_finite() && *value >= 0.0));
+            return bad.map_or(Ok(()), |value| Err(Error::NotPositive { name: "wear_coefficient", value }));
+        }
     };
     Err(Error::Unsupported { what })
 }

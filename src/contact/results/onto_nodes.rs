@@ -5,6 +5,7 @@ use super::gap_constraints::GapConstraints;
 use super::{FrictionHeat, NodalContact, PointOfContact};
 use crate::contact::friction::SlipFacets;
 use crate::contact::tangents::{RankOne, Tangent};
+use crate::contact::wear::WornOff;
 use crate::geometry::Vector;
 use crate::geometry::second_order::{Division, Interpolation};
 use crate::overlap::{Block, FiberTrace, Overlap, Partner, Patches};
@@ -20,6 +21,8 @@ pub(crate) trait OntoNodes: Sized {
 
 impl OntoNodes for f64 {}
 impl<const D: usize> OntoNodes for Vec<SlipFacets<D>> {}
+/// Surfaces wear at the points of the division.
+impl OntoNodes for Vec<WornOff> {}
 impl<const D: usize> OntoNodes for Vec<([Partner; 2], Patches<D>)> {}
 impl<const D: usize> OntoNodes for Vec<FiberTrace<D>> {}
 

@@ -144,6 +144,16 @@ pub enum Warning {
         /// Their part of the limit of the pair's friction.
         part: f64,
     },
+    /// A step, with all of its cycles, would wear off more than the sides penetrate: pressures may go up and down from step to step. Take
+    /// smaller steps, or fewer cycles.
+    LargeWear {
+        /// First body of the pair.
+        a: Partner,
+        /// Second side of the pair.
+        b: Partner,
+        /// Worn depth of both sides by the penetration, where they slide the most.
+        ratio: f64,
+    },
     /// One body lies inside the other: the overlap has no boundary on the other and does not push it out.
     SwallowedBody {
         /// The body inside.
@@ -257,6 +267,11 @@ impl fmt::Display for Warning {
                 f,
                 "{a} and {b}: the direction of their friction is perpendicular to facets that bear {part:.3} of it, facet {facet} the most: \
                  there the transverse coefficient holds for all slip"
+            ),
+            Warning::LargeWear { a, b, ratio } => write!(
+                f,
+                "{a} and {b}: this step, with all of its cycles, wears off up to {ratio:.3} times their penetration: pressures may go up and \
+                 down from step to step; take smaller steps or fewer cycles"
             ),
             Warning::SwallowedBody { inner, outer } => write!(f, "{inner} lies inside {outer} and is not pushed out"),
         }

@@ -158,6 +158,7 @@ FMC_WARNING_COARSE_FACES = 10
 FMC_WARNING_UNUSED_SMOOTHING = 11
 FMC_WARNING_TIED_IN_PART = 12
 FMC_WARNING_NO_FRICTION_DIRECTION = 13
+FMC_WARNING_LARGE_WEAR = 14
 FMC_REQUEST_FORCES = 0
 FMC_REQUEST_PRODUCT = 1
 FMC_REQUEST_DIAGONAL = 2
@@ -319,6 +320,7 @@ FMC_WARNING: dict[int, str] = {
     11: "unused_smoothing",
     12: "tied_in_part",
     13: "no_friction_direction",
+    14: "large_wear",
 }
 
 FMC_EQUILIBRIUM_REQUEST_KIND: dict[int, str] = {

@@ -69,6 +69,8 @@ impl fmc_pair_options {
             interface: self.interface_fields().interface()?,
             surfaces: named_surfaces([self.surface_a, self.surface_b])?,
             orthotropic: None,
+            // What a pair wears by is set by itself.
+            wear_coefficients: [0.0; 2],
         })
     }
 
@@ -162,6 +164,7 @@ mod tests {
                         interface,
                         surfaces,
                         orthotropic: None,
+                        wear_coefficients: [0.0; 2],
                     };
                     assert_eq!(fmc_pair_options::from(options).to_pair_options().unwrap(), options);
                 }

@@ -131,7 +131,8 @@ pub unsafe extern "C" fn fmc_pair_options_init(options: *mut fmc_pair_options) -
 
 /// Sets the options of a pair: a body with another, with itself, or with an obstacle, in either order. They apply from
 /// the next evaluation on; `options` NULL: the pair follows the context's again, as every pair does at first. Friction of the pair is then
-/// the same in all directions; for another, call `fmc_context_set_orthotropic_pair` instead.
+/// the same in all directions; for another, call `fmc_context_set_orthotropic_pair` instead. What the pair wears by stays; with NULL it wears no
+/// more.
 ///
 /// `a_kind` and `b_kind` are values of `fmc_partner`; `a` and `b` count bodies as `fmc_context_body_resultant` and obstacles as
 /// `fmc_context_obstacle_resultant`. For a body with itself these options decide in place of the context's `self_contact` whether
@@ -140,8 +141,9 @@ pub unsafe extern "C" fn fmc_pair_options_init(options: *mut fmc_pair_options) -
 /// Errors: `FMC_ERROR_NULL_POINTER`; `FMC_ERROR_BODY_OUT_OF_RANGE`, `FMC_ERROR_OBSTACLE_OUT_OF_RANGE` and
 /// `FMC_ERROR_OBSTACLE_REMOVED`, naming the index; `FMC_ERROR_BAD_VALUE` for an unknown kind or value,
 /// `FMC_ERROR_OPTIONS_CONFLICT` for an option that would have no effect; `FMC_ERROR_RESERVED_FIELD`; `FMC_ERROR_STRUCT_SIZE`; `FMC_ERROR_NOT_POSITIVE`;
-/// `FMC_ERROR_UNSUPPORTED` for two obstacles, for a law that the estimator of the context does not support, and for a
-/// gap offset between bodies that is positive or has another law than "depth"; `FMC_ERROR_UNTIED` for bodies that are
+/// `FMC_ERROR_UNSUPPORTED` for two obstacles, for a law that the estimator of the context does not support, for a
+/// gap offset between bodies that is positive or has another law than "depth", and for a pair that wears (`fmc_context_set_pair_wear`) and could
+/// not with these options; `FMC_ERROR_UNTIED` for bodies that are
 /// tied and face one another nowhere within reach, `FMC_ERROR_BUSY`. What was set before then stays. `fmc_context_set_options` refuses an
 /// estimator that does not support the law of a pair. Threads: one call at a time on a context.
 #[unsafe(no_mangle)]

@@ -32,12 +32,23 @@ impl<const D: usize> Resident<D> {
         Ok((found.shape.kind(), (&found.pose).into()))
     }
 
-    /// Sets the options of a pair; `None`: those of the contact.
+    /// Sets the options of a pair, which goes on to wear as it did; `None`: those of the contact.
     pub(crate) fn set_pair_options(
         &mut self,
         partners: [Partner; 2],
         options: Option<PairOptions>,
     ) -> Result<(), Failure> {
+        let wear_coefficients = self.pair_options(partners)?.wear_coefficients;
+        let options = options.map(|options| PairOptions { wear_coefficients, ..options });
+        Ok(self.held.contact_mut().set_pair_options(partners, options)?)
+    }
+
+    /// Sets what a pair wears by, and nothing else.
+    pub(crate) fn set_pair_wear(&mut self, partners: [Partner; 2], coefficients: [f64; 2]) -> Result<(), Failure> {
+        let options = PairOptions { wear_coefficients: coefficients, ..self.pair_options(partners)? };
+        let is_its_own = self.held.contact().pair_options(partners)?.is_some();
+        // A pair without options of its own follows those of the contact, also after they change.
+        let options = (is_its_own || coefficients != [0.0; 2]).then_some(options);
         Ok(self.held.contact_mut().set_pair_options(partners, options)?)
     }
 

@@ -77,8 +77,8 @@ async fn prepared<const D: usize>(
     host.forces(&step.x, true).await?;
     let is_new = layers::complete(host, &assembly, &step.x).await?;
     let (has_friction, has_begun) = host.contact(|contact| (contact.has_friction(), contact.slip().is_ok())).await;
-    let breaks = host.contact(|contact| contact.has_history()).await;
-    if has_friction && is_new || (has_friction || breaks) && !has_begun {
+    let changes = host.contact(|contact| contact.has_history() || contact.partners.table.has_wear()).await;
+    if has_friction && is_new || (has_friction || changes) && !has_begun {
         host.contact(move |contact| contact.begin_step(&coords)).await?;
     }
     let motions = Motions::loose(host, &assembly, &host.unknowns.coords(&step.x)).await?;

@@ -1,0 +1,180 @@
+//! Wear.
+
+use crate::capi::boundary::entry::entry;
+use crate::capi::boundary::list::Room;
+use crate::capi::boundary::pointer::{Output, slice};
+use crate::capi::boundary::status::fmc_status;
+use crate::capi::context::session::in_either;
+use crate::capi::context::state::{fmc_context, read, write};
+use crate::capi::structs::partner::partner;
+
+/// Has the sides of a pair wear by Archard's law: `a` that slides by |ds| under the pressure p loses `wear_a` p |ds| of its depth, and `b` loses
+/// `wear_b` p |ds|. Both in 1/pressure, a wear coefficient without unit by the hardness, and at least 0; 0, the default: that side does not wear.
+/// Obstacles never do. With the laws "depth" and "fiber". Partners are named as in `fmc_context_set_pair_options`, and all other options of the pair
+/// stay.
+///
+/// Surfaces wear in `fmc_context_commit_step` alone. Contact then takes a worn surface to lie so much farther in; the host's nodes and strains
+/// stay. The depth at a node is the integral of N K p |s| dA by that of N dA, N being its shape function, so that the body loses the integral of
+/// K p |s| dA. Slip is that of friction without its elastic part; of a pair without friction all of it, since `fmc_context_begin_step`.
+///
+/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BODY_OUT_OF_RANGE`, `FMC_ERROR_OBSTACLE_OUT_OF_RANGE`, `FMC_ERROR_OBSTACLE_REMOVED`,
+/// `FMC_ERROR_BAD_VALUE` for an unknown kind, `FMC_ERROR_NOT_POSITIVE` for a number that is negative or not finite, `FMC_ERROR_UNSUPPORTED` for
+/// wear of an obstacle, of a body with itself, by the law "volume", of bodies that are held together or never slide, and of a mesh in parts,
+/// `FMC_ERROR_BUSY`; what was set before then stays. Threads: one call at a time on a context.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmc_context_set_pair_wear(
+    context: *mut fmc_context,
+    a_kind: i32,
+    a: usize,
+    b_kind: i32,
+    b: usize,
+    wear_a: f64,
+    wear_b: f64,
+) -> fmc_status {
+    entry(|| {
+        // SAFETY: the host passes a context.
+        unsafe {
+            write(context, |state| {
+                let partners = [partner(a_kind, a)?, partner(b_kind, b)?];
+                in_either!(&mut state.session, one => one.set_pair_wear(partners, [wear_a, wear_b]))
+            })
+        }
+    })
+}
+
+/// What the sides of a pair wear by, as `fmc_context_set_pair_wear` has set it; zeros by default.
+///
+/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BODY_OUT_OF_RANGE`, `FMC_ERROR_OBSTACLE_OUT_OF_RANGE`, `FMC_ERROR_OBSTACLE_REMOVED`,
+/// `FMC_ERROR_BAD_VALUE` for an unknown kind, `FMC_ERROR_UNSUPPORTED` for two obstacles, `FMC_ERROR_BUSY`; nothing is written then. Threads:
+/// several at once on one context, as long as no call changes it.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmc_context_pair_wear(
+    context: *const fmc_context,
+    a_kind: i32,
+    a: usize,
+    b_kind: i32,
+    b: usize,
+    wear_a: *mut f64,
+    wear_b: *mut f64,
+) -> fmc_status {
+    entry(|| {
+        let (of_a, of_b) = (Output::required("wear_a", wear_a)?, Output::required("wear_b", wear_b)?);
+        let partners = [partner(a_kind, a)?, partner(b_kind, b)?];
+        // SAFETY: the host passes a context, and outputs that may be written.
+        unsafe {
+            let found = in_either!(&read(context)?.session, one => one.pair_options(partners))?;
+            of_a.write(found.wear_coefficients[0]);
+            of_b.write(found.wear_coefficients[1]);
+        }
+        Ok(())
+    })
+}
+
+/// How far surfaces are worn off (`fmc_context_set_pair_wear`), a length for every row of the coordinates; 0 at first.
+///
+/// `count` becomes how many numbers there are; `depth` has room for `capacity`. NULL with capacity 0: that alone is asked for.
+///
+/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_NO_STEP` after `fmc_context_set_worn_facets` before
+/// `fmc_context_begin_step`, `FMC_ERROR_UNSUPPORTED` for a mesh in parts, `FMC_ERROR_BUSY`; nothing is written then. Threads: several at
+/// once on one context, as long as no call changes it.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmc_context_worn_depth(
+    context: *const fmc_context,
+    depth: *mut f64,
+    capacity: usize,
+    count: *mut usize,
+) -> fmc_status {
+    entry(|| {
+        let room = Room::new(capacity, count)?;
+        // SAFETY: the host passes a context, and room for `capacity` numbers.
+        unsafe {
+            let found = in_either!(&read(context)?.session, one => one.wear())?;
+            room.write("worn depths", "depth", &found.depth, depth)
+        }
+    })
+}
+
+/// What every body has lost by wear: a volume, in 2D by unit of thickness, with axisymmetry that of rings. It is the integral of K p |s| dA of all
+/// steps that were accepted.
+///
+/// `count` becomes the number of bodies; `volumes` has room for `capacity`. NULL with capacity 0: that alone is asked for.
+///
+/// Errors: as `fmc_context_worn_depth`. Threads: several at once on one context, as long as no call changes it.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmc_context_worn_volumes(
+    context: *const fmc_context,
+    volumes: *mut f64,
+    capacity: usize,
+    count: *mut usize,
+) -> fmc_status {
+    entry(|| {
+        let room = Room::new(capacity, count)?;
+        // SAFETY: the host passes a context, and room for `capacity` numbers.
+        unsafe {
+            let found = in_either!(&read(context)?.session, one => one.wear())?;
+            room.write("worn volumes", "volumes", &found.volumes, volumes)
+        }
+    })
+}
+
+/// What was worn off, for a restart: a row for every facet and each of the points that move it, where there is wear. A row is 4 numbers: the facet,
+/// by its place in `fmc_context_boundary_facets` from 0 whatever the base; the node from 0, with cells of second order the point
+/// (`fmc_context_point_weights`); the depth against the normal of the facet; and the volume. Rows ascend by facet and point.
+///
+/// `count` becomes how many numbers there are; `worn` has room for `capacity`. NULL with capacity 0: that alone is asked for.
+///
+/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_BUSY`; nothing is written then. Threads: several at once on
+/// one context, as long as no call changes it.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmc_context_worn_facets(
+    context: *const fmc_context,
+    worn: *mut f64,
+    capacity: usize,
+    count: *mut usize,
+) -> fmc_status {
+    entry(|| {
+        let room = Room::new(capacity, count)?;
+        // SAFETY: the host passes a context, and room for `capacity` numbers.
+        unsafe {
+            let found = in_either!(&read(context)?.session, one => one.worn_facets());
+            room.write("numbers of the worn facets", "worn", &found, worn)
+        }
+    })
+}
+
+/// Sets what was worn off: `count` numbers, in rows as `fmc_context_worn_facets` writes them; what no row names is not worn, none: nothing is, as
+/// where the host has moved its nodes to the worn surface. For a restart call it before `fmc_context_begin_step` and `fmc_context_set_slip`:
+/// the results have the bits of the unbroken run.
+///
+/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_LENGTH` where the last row is not whole, `FMC_ERROR_INDEX_OUT_OF_RANGE` for a row that names a
+/// facet that there is not, a point that does not move it, or both twice, `FMC_ERROR_NOT_POSITIVE` for a depth or volume that is negative or not
+/// finite, `FMC_ERROR_UNSUPPORTED` for a mesh in parts, `FMC_ERROR_BUSY`; what was worn before then stays. Threads: one call at a time on a context.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmc_context_set_worn_facets(
+    context: *mut fmc_context,
+    worn: *const f64,
+    count: usize,
+) -> fmc_status {
+    entry(|| {
+        // SAFETY: the host passes a context and `count` numbers.
+        unsafe {
+            write(context, |state| {
+                let worn = slice("worn", worn, count, 1)?;
+                in_either!(&mut state.session, one => one.set_worn_facets(worn))
+            })
+        }
+    })
+}
+
+/// As many times the wear of a step counts from now on, 1 at first: a step then stands for so many cycles. Wear is explicit, and surfaces do
+/// not change within a step: `FMC_WARNING_LARGE_WEAR` tells of too many cycles.
+///
+/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NOT_POSITIVE` unless positive and finite, `FMC_ERROR_BUSY`. Threads: one call at a time on a
+/// context.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmc_context_set_wear_cycles(context: *mut fmc_context, cycles: f64) -> fmc_status {
+    entry(|| {
+        // SAFETY: the host passes a context.
+        unsafe { write(context, |state| in_either!(&mut state.session, one => one.set_wear_cycles(cycles))) }
+    })
+}
