@@ -264,6 +264,13 @@ def heated(scene):
     scene.contact.friction_heat(scene.x)
 
 
+def worn(scene):
+    scene.contact.pairs.set_wear(0, 1, 1e-9 / K, 1e-9 / K)
+    scene.contact.friction.begin_step(scene.first)
+    scene.contact.friction.commit_step(scene.x)
+    assert scene.contact.wear.volumes.shape == (2,)
+
+
 def searched(scene):
     """Springs hold every node where it is under load; contact pushes the bodies apart, against them."""
     spring, first = 100 * K, scene.x
@@ -292,6 +299,7 @@ ASKED = {
     "flux of a scalar field": ({}, conducted),
     "flux, tied": ({}, together(TIED, conducted)),
     "heat of friction": (RUBBED, together(begun, heated)),
+    "wear": ({}, worn),
     "search for the equilibrium, 2D": ({}, searched),
     "search, stiffness from the bodies, 2D": ({"stiffness": 0.0}, searched),
     "search, friction, 2D": (RUBBED, searched),

@@ -38,6 +38,7 @@ from .result import Result
 from .step_limit import StepLimit
 from .tangent import Tangent
 from .ties import TieConstraints, TieNodes, tie_constraints, tie_nodes
+from .wear import Wear
 
 
 class Contact:
@@ -82,6 +83,8 @@ class Contact:
         Interfaces that follow your own laws, and their history.
     friction : FrictionSteps
         Steps with friction, and the elastic slip that is carried from one to the next.
+    wear : Wear
+        What sliding wears off.
     multipliers : Multipliers
         Multipliers of the augmented Lagrangian.
     patches : Patches
@@ -118,6 +121,7 @@ class Contact:
     cohesive: CohesiveInterfaces
     laws: InterfaceLaws
     friction: FrictionSteps
+    wear: Wear
     multipliers: Multipliers
     patches: Patches
     pattern: Pattern
@@ -194,6 +198,7 @@ class Contact:
         self.mesh, self.obstacles, self.pairs = Mesh(core), Obstacles(core), Pairs(core)
         self.ties, self.laws = Ties(core), InterfaceLaws(core)
         self.cohesive, self.friction, self.multipliers = CohesiveInterfaces(core), FrictionSteps(core), Multipliers(core)
+        self.wear = Wear(core)
         self.patches, self.pattern, self.ranks = Patches(core), Pattern(core), Ranks(core)
 
     @property

@@ -6,6 +6,8 @@ from collections.abc import Iterable
 from ctypes import byref
 from typing import Any, Optional, Union
 
+import numpy as np
+
 from ._constants import (
     FMC_INTERFACE,
     FMC_LAW,
@@ -205,7 +207,8 @@ class Pairs:
         BadValueError, OptionsConflictError
             If a value is unknown, or would have no effect.
         UnsupportedError
-            For two obstacles, for a law that the estimator does not support, and for a gap offset or a tie that cannot be.
+            For two obstacles, for a law that the estimator does not support, for a gap offset or a tie that cannot be, and for a pair
+            that wears and could not with these options.
         UntiedError
             If bodies that are tied, or joined by a cohesive interface, lie opposite each other nowhere within reach.
 
@@ -335,6 +338,8 @@ class Pairs:
             self._core.handle.call(library.fmc_context_orthotropic_pair, *_named(a), *_named(b), byref(friction))
             ppr = fmc_ppr()
             self._core.handle.call(library.fmc_context_ppr_pair, *_named(a), *_named(b), byref(ppr))
+            wear_a, wear_b = np.empty(1), np.empty(1)
+            self._core.handle.call(library.fmc_context_pair_wear, *_named(a), *_named(b), wear_a, wear_b)
         has_law = found.law != FMC_PAIR_LAW_OF_CONTEXT
         has_friction = found.friction_coefficient != FMC_PAIR_FRICTION_OF_CONTEXT
         options: dict[str, Any] = {"excluded": bool(found.excluded), "gap_offset": found.gap_offset}
@@ -345,6 +350,7 @@ class Pairs:
         is_ppr = options["softening"] == "ppr"
         options.update({key: getattr(ppr, key) if is_ppr else None for key in _OF_PPR})
         options["surfaces"] = (found.surface_a, found.surface_b) if found.surface_a else None
+        options["wear_coefficients"] = (float(wear_a[0]), float(wear_b[0]))
         options["law"] = FMC_LAW[found.law] if has_law else None
         options.update({key: getattr(found, key) if has_law else None for key in _OF_LAW})
         if options["interface"] == "cohesive":
@@ -354,6 +360,39 @@ class Pairs:
         options["transverse_coefficient"] = friction.transverse_coefficient if is_orthotropic else None
         options.update(direction=direction if is_orthotropic else None, direction_of=_SIDES[friction.direction_of])
         return options
+
+    def set_wear(self, a: Partner, b: Partner, wear_a: float, wear_b: float = 0.0) -> None:
+        """Has a pair wear by Archard's law: a side that slides by ds under the pressure p loses K p ds of its depth.
+
+        Surfaces wear when a step is committed, see ``contact.wear``. All other options of the pair stay, and ``set`` leaves these as they
+        are; ``reset`` ends the wear.
+
+        Parameters
+        ----------
+        a, b : int or tuple
+            The partners.
+        wear_a, wear_b : float
+            K of ``a`` and of ``b``, in 1/pressure: a wear coefficient without unit by the hardness. 0: that side does not wear, as
+            obstacles never do.
+
+        Raises
+        ------
+        BodyOutOfRangeError, ObstacleOutOfRangeError
+            If there is no such partner.
+        NotPositiveError
+            If a number is negative or not finite.
+        UnsupportedError
+            For wear of an obstacle, of a body with itself, by the law ``"volume"``, of bodies that are held together or never slide, and
+            of a mesh in parts.
+
+        Examples
+        --------
+        >>> contact.pairs.set_wear(0, 1, 1e-3, 2e-3)
+        >>> contact.pairs.options(0, 1)["wear_coefficients"]
+        (0.001, 0.002)
+        """
+        with self._core.handle:
+            self._core.handle.call(library.fmc_context_set_pair_wear, *_named(a), *_named(b), float(wear_a), float(wear_b))
 
     def tie(self, a: int, b: int) -> Tie:
         """The tie of two bodies, as it was found without deformation; of bodies that slide without separation where it was found last.

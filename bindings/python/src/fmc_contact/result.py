@@ -137,7 +137,7 @@ class ContactWarning:
     kind : str
         ``"coarse_fibers"``, ``"unresolved_overlap"``, ``"swallowed_body"``, ``"patch_left_out"``, ``"unbalanced"``,
         ``"flush_faces"``, ``"coinciding_faces"``, ``"gentle_distance"``, ``"curved_faces"``,
-        ``"coarse_faces"``, ``"unused_smoothing"`` or ``"no_friction_direction"``.
+        ``"coarse_faces"``, ``"unused_smoothing"``, ``"no_friction_direction"`` or ``"large_wear"``.
     text : str
         A sentence.
 
