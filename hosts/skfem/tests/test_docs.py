@@ -64,6 +64,16 @@ def test_heat():
     assert abs(flux - 62.663) < 1e-3 and abs(flux / conductance - 6.006) < 1e-3
 
 
+def test_wear():
+    ((program, shown),) = programs(PAGE.with_name("wear.md"))
+    run = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, timeout=100)
+    assert run.returncode == 0, run.stderr
+    assert shown and not differs(shown, run.stdout)
+    mean, least, most, volume = (float(number) for number in re.findall(r"\d+\.\d+", run.stdout))
+    # K p s of 1000 cycles of 2 mm; the pressure of an elastic pin is even to 2 permille.
+    assert abs(mean / (1e-8 * 100 * 2000) - 1) < 1e-3 and most - least < 4e-3 * mean and abs(volume - 1) < 1e-3
+
+
 def test_hertz():
     # The last piece draws: it runs in the notebook.
     *pieces, (drawing, _) = programs(PAGE.with_name("tutorial-hertz.md"))
