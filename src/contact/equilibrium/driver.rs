@@ -24,7 +24,6 @@
 mod assembly;
 mod attempt;
 mod balance;
-mod bracket;
 mod breaking;
 mod check;
 mod conversation;

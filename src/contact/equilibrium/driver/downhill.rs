@@ -1,7 +1,6 @@
 //! Down the energy, by steps that a part of the diagonal keeps short, with friction frozen as long as it is far from the end.
 
 use super::balance::Verdict;
-use super::bracket::Bracket;
 use super::host::System;
 use super::search::Search;
 use super::state::State;
@@ -37,16 +36,6 @@ const IN_CIRCLES: usize = 6;
 /// Steps with frozen friction after one with that of now has led nowhere.
 const FROZEN: usize = 3;
 
-/// Part of the residual of which more is left by a slow step with frozen friction. What is left after as many of them goes one way: a body
-/// that rubs on others along opposite ways creeps to where one of them holds it, and a step is made longer until it is there.
-const SLOW: f64 = 0.7;
-const CREEPING: usize = 2;
-
-/// Part of the slope along such a step that may be left, by how much it is made longer, and how often.
-const TURNED: f64 = 0.2;
-const LONGER: f64 = 4.0;
-const TIMES_LONGER: usize = 10;
-
 /// From a place on.
 pub(super) async fn downhill<const D: usize>(
     search: &mut Search<D>,
@@ -57,7 +46,6 @@ pub(super) async fn downhill<const D: usize>(
     let mut shift = first_shift(search, &state);
     let (mut trail, mut frozen_for) = (Vec::new(), 0usize);
     let (mut nearest, mut since) = (f64::INFINITY, 0);
-    let (mut last, mut slow) = (f64::INFINITY, 0);
     for tried in 0..=MOST {
         let verdict;
         (state, verdict) = search.judged(state).await?;
@@ -74,18 +62,12 @@ pub(super) async fn downhill<const D: usize>(
         if is_frozen {
             state = search.frozen_at(state).await?;
         }
-        let relative = search.balance.relative();
-        let mut stepped = step(search, &state, &mut shift, is_current).await;
+        let stepped = step(search, &state, &mut shift, is_current).await;
         if is_frozen {
-            (last, slow) = if relative > SLOW * last { (relative, slow + 1) } else { (relative, 0) };
-            if slow > CREEPING
-                && let Ok(Some(x)) = &stepped
-            {
-                (stepped, slow) = (farther(search, &state, x).await.map(Some), 0);
-            }
             search.host.contact(|contact| contact.release_friction()).await;
         }
         frozen_for = frozen_for.saturating_sub(1);
+        let relative = search.balance.relative();
         (nearest, since) = if relative < NEARER * nearest { (relative, 0) } else { (nearest, since + 1) };
         match stepped? {
             Some(x) if is_frozen && since / IN_CIRCLES % 2 == 1 => {
@@ -185,35 +167,6 @@ async fn step<const D: usize>(
     }
     *shift = (10.0 * *shift).min(SHIFTS[1]);
     last.map(Some).ok_or_else(|| Trouble::Failed(format!("bodies cannot be evaluated along any part of a step: {why}")))
-}
-
-/// Where a step leads that goes on until the load along it has turned, or something is in the way.
-async fn farther<const D: usize>(search: &Search<D>, state: &State<D>, end: &[f64]) -> Result<Vec<f64>, Trouble> {
-    let step = moved(end, -1.0, &state.x);
-    let load = |state: &State<D>| -dot(&search.host.unknowns.freed(state.residual.clone()), &step);
-    let driving = load(state);
-    let mut bracket = Bracket::new(driving);
-    let (mut part, mut reached) = (1.0, 1.0);
-    for _ in 0..TIMES_LONGER {
-        let there = moved(&state.x, part, &step);
-        if search.allowed(&state.x, &moved(&there, -1.0, &state.x)).await? < 1.0 {
-            break;
-        }
-        let left = match State::at(&search.host, there, false).await {
-            Ok(there) => load(&there),
-            Err(Trouble::Contact(_) | Trouble::Host(_)) => break,
-            Err(other) => return Err(other),
-        };
-        if left > 0.0 || left.abs() <= TURNED * driving {
-            reached = part;
-        }
-        if left.abs() <= TURNED * driving {
-            break;
-        }
-        bracket.add(part, left);
-        part = bracket.next().unwrap_or(LONGER * part);
-    }
-    Ok(moved(&state.x, reached, &step))
 }
 
 /// What has gone further than a part of a facet in the second half of the iterations is not held.

@@ -1,7 +1,6 @@
 //! Rigid motions of loose bodies until contact balances their loads.
 
 use super::assembly::Assembly;
-use super::bracket::Bracket;
 use super::host::Host;
 use super::motions::Motions;
 use super::quadratic::Quadratic;
@@ -182,7 +181,7 @@ async fn before_it_turns<const D: usize>(
     (step, most): (&[f64], f64),
     (along, driving): (&DVector<f64>, f64),
 ) -> Result<f64, Trouble> {
-    let mut bracket = Bracket::new(driving);
+    let (mut short, mut long) = ((0.0, driving), None);
     let mut part = most;
     for _ in 0..SHORTER {
         let state = State::at(&search.host, moved(x, part, step), false).await?;
@@ -190,9 +189,15 @@ async fn before_it_turns<const D: usize>(
         if load.abs() <= TURNED * driving || (load > 0.0 && part == most) {
             return Ok(part);
         }
-        bracket.add(part, load);
-        let Some(next) = bracket.next() else { break };
-        part = next;
+        if load > 0.0 {
+            short = (part, load);
+        } else {
+            long = Some((part, load));
+        }
+        let Some(long) = long else { break };
+        let secant = short.0 + (long.0 - short.0) * short.1 / (short.1 - long.1);
+        let margin = 0.1 * (long.0 - short.0);
+        part = secant.clamp(short.0 + margin, long.0 - margin);
     }
     Ok(part)
 }
