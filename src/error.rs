@@ -76,9 +76,7 @@ pub enum Error {
         /// Both cells (or facets), counted over all blocks.
         cells: [usize; 2],
     },
-    /// A cell is inverted: its orientation is opposite to that of the cells it is connected to, or the Jacobian of a cell that is no
-    /// simplex is negative at one corner and positive at another. (A `Hex8` or `Wedge6` may still be twisted inside; corners are what is
-    /// looked at.) Or a part of a second-order facet, in a surface given by facets, faces away from the whole.
+    /// A cell is inverted against those next to it, or, unless a simplex, at one of its corners; or a part of a second-order facet faces away.
     InvertedCell {
         /// Cell, or facet.
         cell: usize,
