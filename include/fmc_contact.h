@@ -1083,6 +1083,10 @@ typedef struct {
   const double *area;
   // (count, history_count), as it was accepted last (`fmc_context_commit_step`); 0 at first.
   const double *history;
+  // Number of fields (`fmc_context_set_law_fields`).
+  size_t field_count;
+  // Fields at the point of `body`, then at that of `partner`, (count, 2, field_count).
+  const double *fields;
   // Zero.
   uint64_t reserved[4];
 } fmc_law_points;
@@ -1266,6 +1270,16 @@ fmc_status fmc_own_law_check(const fmc_own_law *law,
                              double time_step,
                              fmc_log_callback tell,
                              void *user);
+
+// Sets fields that laws of the host are asked with at their points, such as a temperature: `field_count` numbers for each of `row_count` rows of
+// the coordinates, all of a row together, (row_count, field_count). They stay until others are set; `field_count` 0: none.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_LENGTH` for another number of rows than coordinates have, `FMC_ERROR_NOT_POSITIVE` for what is not
+// finite, `FMC_ERROR_BUSY`; the old ones then stay. Threads: one call at a time on a context.
+fmc_status fmc_context_set_law_fields(fmc_context *context,
+                                      const double *values,
+                                      size_t row_count,
+                                      size_t field_count);
 
 // Sets the options of a pair as `fmc_context_set_pair_options` does, whose interface is `FMC_INTERFACE_LAW`, with the law. The history of its
 // points begins with zeros. `fmc_context_set_pair_options` with the same interface keeps law and history.

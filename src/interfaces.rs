@@ -43,7 +43,7 @@ pub use cohesive_law::{Cohesive, Softening};
 pub(crate) use facing_points::{FacingSurfaces, normal_of, shape_at};
 pub(crate) use glide::Glide;
 pub(crate) use glide_energy::GlideAt;
-pub(crate) use governed::Governed;
+pub(crate) use governed::{Governed, LawFields};
 pub(crate) use governed_energy::GovernedAt;
 pub use interface_law::{InterfaceLaw, LawFailure, LawPoints, LawResponse};
 pub use law_check::{LawCheck, LawReport, check_law};

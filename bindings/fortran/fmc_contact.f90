@@ -24,7 +24,7 @@ module fmc_contact
   public
   ! Procedures of the type: their names remain the host's.
   private :: from_cells, from_blocks, from_facets, take, free, set_options, set_pair_options, set_orthotropic_pair, &
-             set_ppr_pair, set_law_pair, law_history, set_law_history, &
+             set_ppr_pair, set_law_pair, law_history, set_law_history, set_law_fields, &
              set_reference, set_interrupt, &
              set_symmetry_planes, set_symmetry_nodes, set_surface_smoothing, set_basis, &
              evaluate, tangent, evaluate_tangent, stable_step, body, &
@@ -42,7 +42,7 @@ module fmc_contact
   contains
     procedure :: from_cells, from_blocks, from_facets, free
     procedure :: set_options, set_pair_options, set_orthotropic_pair, set_ppr_pair
-    procedure :: set_law_pair, law_history, set_law_history
+    procedure :: set_law_pair, law_history, set_law_history, set_law_fields
     procedure :: set_reference, set_symmetry_planes, set_symmetry_nodes, set_basis
     procedure :: set_surface_smoothing
     procedure :: set_interrupt
@@ -255,6 +255,14 @@ contains
     real(c_double), intent(in), contiguous :: history(:)
     integer, intent(out), optional :: stat
     call checked(fmc_context_set_law_history(self%handle, history, size(history, kind=c_size_t)), stat)
+  end subroutine
+
+  ! Fields that your own laws are asked with, a column for every node (fmc_context_set_law_fields).
+  subroutine set_law_fields(self, values, stat)
+    class(contact), intent(inout) :: self
+    real(c_double), intent(in), contiguous :: values(:, :)
+    integer, intent(out), optional :: stat
+    call checked(fmc_context_set_law_fields(self%handle, values, size(values, 2, c_size_t), size(values, 1, c_size_t)), stat)
   end subroutine
 
   ! Whether your own law is one, by differences at jumps of this scale; contact_error() has what is wrong (fmc_own_law_check).

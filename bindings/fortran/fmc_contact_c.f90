@@ -341,6 +341,8 @@ module fmc_contact_c
     type(c_ptr) :: reference
     type(c_ptr) :: area
     type(c_ptr) :: history
+    integer(c_size_t) :: field_count
+    type(c_ptr) :: fields
     integer(c_int64_t) :: reserved(4)
   end type
 
@@ -1137,6 +1139,14 @@ module fmc_contact_c
       type(c_funptr), value :: tell
       type(c_ptr), value :: user
       integer(c_int32_t) :: fmc_own_law_check
+    end function
+    function fmc_context_set_law_fields(context, values, row_count, field_count) bind(c)
+      import
+      type(c_ptr), value :: context
+      real(c_double), intent(in), optional :: values(*)
+      integer(c_size_t), value :: row_count
+      integer(c_size_t), value :: field_count
+      integer(c_int32_t) :: fmc_context_set_law_fields
     end function
     function fmc_context_set_law_pair(context, a_kind, a, b_kind, b, options, law) bind(c)
       import

@@ -222,6 +222,7 @@ contains
     own%interface_kind = FMC_INTERFACE_LAW
     call check_law(springs, 2, 0.1d0, history_count=1, user=c_loc(height))
     call bonded%set_law_pair(1, 2, own, springs, history_count=1, user=c_loc(height))
+    call bonded%set_law_fields(spread([20d0, 30d0], 2, 8))
     call bonded%begin_step(apart)
     apart(1, 5:8) = apart(1, 5:8) + 0.25d0
     call bonded%evaluate(apart, pulled)

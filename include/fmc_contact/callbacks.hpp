@@ -33,9 +33,9 @@ using Place = std::function<void(View<const double> displacement, View<double> c
 
 // Points of an interface at which your own law is asked, with the shapes that `fmc_law_points` says.
 struct LawPoints {
-  std::size_t count, dim, history_count, body, partner;
+  std::size_t count, dim, history_count, field_count, body, partner;
   double time_step;
-  View<const double> jump, axes, position, reference, area, history;
+  View<const double> jump, axes, position, reference, area, history, fields;
 };
 
 // Where your own law writes its answer, as `fmc_law_response` says.
@@ -147,8 +147,9 @@ struct LawCall {
     const auto &to = *response;
     const auto n = of.count, rows = n * of.dim, squares = rows * of.dim, kept = n * of.history_count;
     try {
-      self.function({n, of.dim, of.history_count, of.body, of.partner, of.time_step, {of.jump, rows}, {of.axes, squares},
-                     {of.position, rows}, {of.reference, rows}, {of.area, n}, {of.history, kept}},
+      self.function({n, of.dim, of.history_count, of.field_count, of.body, of.partner, of.time_step, {of.jump, rows}, {of.axes, squares},
+                     {of.position, rows}, {of.reference, rows}, {of.area, n}, {of.history, kept},
+                     {of.fields, 2 * n * of.field_count}},
                     {{to.traction, rows}, {to.tangent, squares}, {to.history, kept}, {to.stored, n}, {to.dissipated, n}});
       return 0;
     } catch (...) {

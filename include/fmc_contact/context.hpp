@@ -553,6 +553,12 @@ class Context : public AddsShapes<Context> {
     call(fmc_context_set_law_pair(get(), FMC_PARTNER_BODY, a, FMC_PARTNER_BODY, b, &options, &given));
     place = std::move(next);
   }
+  // Fields that your own laws are asked with, (rows of coordinates, field_count).
+  void set_law_fields(View<const double> values, std::size_t field_count) {
+    const auto each = field_count == 0 ? 1 : field_count;
+    if (values.size() % each != 0) detail::refuse(FMC_ERROR_LENGTH, "values has one number for every field of a row");
+    call(fmc_context_set_law_fields(get(), values.data(), values.size() / each, field_count));
+  }
   // All points of interfaces by your own laws, in the order of their history.
   std::vector<fmc_law_point> law_points(Coords coords) {
     const auto x = coords.as_c(dim_);

@@ -15,9 +15,27 @@ pub(crate) struct Governed<const D: usize> {
     /// Where the points are without deformation, and their areas.
     pub(super) references: Vec<f64>,
     pub(super) areas: Vec<f64>,
+    /// Of both sides, the points of the mesh that a point hangs on, with their shares.
+    pub(super) sides: Vec<[Weights; 2]>,
+}
+
+/// Fields of the host at the points of the mesh, all of a point together.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct LawFields {
+    pub(crate) count: usize,
+    pub(crate) values: Vec<f64>,
 }
 
 impl<const D: usize> Governed<D> {
+    /// Fields on both sides of all points.
+    pub(super) fn fields(&self, of: &LawFields) -> Vec<f64> {
+        let at = |side: &Weights, field: usize| -> f64 {
+            side.iter().map(|(node, share)| share * of.values[*node as usize * of.count + field]).sum()
+        };
+        let sides = self.sides.iter().flatten();
+        sides.flat_map(|side| (0..of.count).map(move |field| at(side, field))).collect()
+    }
+
     /// As [`Cohesion::new`].
     pub(crate) fn new(
         surface: &Surface<D>,
@@ -35,6 +53,7 @@ impl<const D: usize> Governed<D> {
         let references =
             found.points.iter().flat_map(|point| <[f64; D]>::from(found.position(point, points))).collect();
         let areas = found.points.iter().map(|point| point.measure).collect();
-        Ok(Self { points: found, axes, references, areas })
+        let sides = found.points.iter().map(|point| found.sides(point)).collect();
+        Ok(Self { points: found, axes, references, areas, sides })
     }
 }

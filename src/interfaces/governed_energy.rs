@@ -13,7 +13,7 @@ use super::axes::Axes;
 use super::cohesion::CohesivePoint;
 use super::cohesive_energy::Softened;
 use super::frame::Matrix;
-use super::governed::Governed;
+use super::governed::{Governed, LawFields};
 use super::interface_law::{Answer, InterfaceLaw, LawPoints};
 use super::place::Weights;
 use super::square::{Square, mixed};
@@ -33,7 +33,7 @@ pub(crate) struct GovernedAt<'a, const D: usize> {
 }
 
 impl<const D: usize> Governed<D> {
-    /// At these points of the mesh, with the history and how long the step takes.
+    /// At these points of the mesh, with the history, how long the step takes, and fields of the host.
     ///
     /// # Errors
     /// [`Error::InterfaceLaw`] of the law, and where a facet of the second body has no area.
@@ -41,7 +41,7 @@ impl<const D: usize> Governed<D> {
         &self,
         points: &[[f64; D]],
         law: &dyn InterfaceLaw,
-        (history, time_step): (&[f64], f64),
+        (history, time_step, fields): (&[f64], f64, &LawFields),
     ) -> Result<GovernedAt<'_, D>, Error> {
         let Self { points: held, .. } = self;
         let x: Vec<Vector<D>> = held.nodes.iter().map(|&node| Vector::from(points[node as usize])).collect();
@@ -56,17 +56,26 @@ impl<const D: usize> Governed<D> {
                 Error::InterfaceLaw(LawFault { bodies: held.bodies, point, cause })
             })?);
         }
-        let apart: Vec<Vector<D>> = held.points.iter().map(|point| sum(&point.jump)).collect();
         let count = held.points.len();
+        let (mut apart, mut positions) = (Vec::with_capacity(count), Vec::with_capacity(count * D));
+        for point in &held.points {
+            // The nodes of the first body come first: their sum is where the point is.
+            let own = point.jump.partition_point(|(node, _)| !held.of_b[*node as usize]);
+            let add = |x0: Vector<D>, weights: &[(u32, f64)]| {
+                weights.iter().fold(x0, |sum, &(node, weight)| sum + x[node as usize] * weight)
+            };
+            let position = add(Vector::zeros(), &point.jump[..own]);
+            positions.extend(position.iter().copied());
+            apart.push(add(position, &point.jump[own..]));
+        }
         let (mut jumps, mut in_space) = (Vec::with_capacity(count * D), Vec::with_capacity(count * D * D));
         for (point, apart) in held.points.iter().zip(&apart) {
+            let apart: &Vector<D> = apart;
             let units = &axes[point.frame as usize].units;
             jumps.extend(units.iter().map(|unit| apart.dot(unit)));
             jumps[in_space.len() / D] -= point.gap;
             in_space.extend(units.iter().flat_map(|unit| unit.iter().copied()));
         }
-        let positions: Vec<f64> =
-            held.points.iter().flat_map(|point| <[f64; D]>::from(held.position(point, points))).collect();
         let answer = Answer::of(
             law,
             &LawPoints {
@@ -80,6 +89,8 @@ impl<const D: usize> Governed<D> {
                 references: &self.references,
                 areas: &self.areas,
                 history,
+                field_count: fields.count,
+                fields: &self.fields(fields),
             },
         )?;
         Ok(GovernedAt { governed: self, axes, apart, jumps, positions, answer })

@@ -77,6 +77,10 @@ pub struct LawPoints<'a> {
     pub areas: &'a [f64],
     /// (count, history count), as it was accepted last.
     pub history: &'a [f64],
+    /// How many fields there are ([`Contact::set_law_fields`](crate::Contact::set_law_fields)), such as a temperature.
+    pub field_count: usize,
+    /// (count, 2, field count): fields at the point of the first body, then at that of the second.
+    pub fields: &'a [f64],
 }
 
 /// What a law answers, laid out as its points are.

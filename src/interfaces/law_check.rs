@@ -195,6 +195,8 @@ impl<'a> Asked<'a> {
                 references: &zeros,
                 areas: &ones,
                 history,
+                field_count: 0,
+                fields: &[],
             },
         )
     }

@@ -3,6 +3,7 @@
 use crate::laws::{One, PointByPoint};
 use crate::{held, in_space, in_the_plane, moved};
 use fmc_contact::contact::{InterfaceLaw, LawFailure, LawPoints, LawResponse};
+use fmc_contact::{Contact, Error};
 
 /// t = k δ + c δ³ along every axis: on an area of 1 that is the force, and k δ²/2 + c δ⁴/4 the energy. Sums of areas, to rounding.
 #[test]
@@ -99,5 +100,55 @@ fn a_dashpot_goes_by_the_time_step_the_place_and_its_history() {
             assert!((force - 1.5 * (now - before) / 0.25).abs() < 1e-13);
             contact.commit_step(&coords).expect("a step");
         }
+    }
+}
+
+/// Springs whose stiffness is the mean of a field on both sides: t = (T_A + T_B)/2 δ. Fields are linear along x, so that quadrature has the mean
+/// over the face exactly: of 1 + x below and 3 above it is 2.25. A second field is not looked at.
+struct Heated;
+
+impl InterfaceLaw for Heated {
+    fn respond(&self, points: &LawPoints<'_>, response: &mut LawResponse<'_>) -> Result<(), LawFailure> {
+        let (dim, fields) = (points.dim, points.field_count);
+        if fields != 2 {
+            return Err(format!("{fields} fields").into());
+        }
+        response.tangents.fill(0.0);
+        for point in 0..points.count {
+            let [own, other] = [0, 1].map(|side| points.fields[(2 * point + side) * fields]);
+            assert!((own - 1.0 - points.references[point * dim]).abs() < 1e-14 && (other - 3.0).abs() < 1e-14);
+            for axis in 0..dim {
+                response.tractions[point * dim + axis] = 0.5 * (own + other) * points.jumps[point * dim + axis];
+                response.tangents[(point * dim + axis) * dim + axis] = 0.5 * (own + other);
+            }
+        }
+        Ok(())
+    }
+}
+
+#[test]
+fn laws_go_by_fields_of_the_host() {
+    for scene in &in_space(0.0) {
+        let mut contact = held(scene, Heated);
+        assert!(contact.evaluate(&scene.coords).unwrap_err().to_string().ends_with("0 fields"));
+        let of_node = |(node, x): (usize, &[f64; 3])| {
+            [if node < scene.first_node[1] { 1.0 + x[0] } else { 3.0 }, f64::from(node as u32)]
+        };
+        let values: Vec<f64> = scene.coords.iter().enumerate().flat_map(of_node).collect();
+        contact.set_law_fields(2, &values).expect("fields");
+        let force = |contact: &Contact<3>| {
+            let found = contact.evaluate(&moved(scene, [0.0, 0.0, 0.02])).expect("an evaluation");
+            -found.forces[scene.first_node[1]..].iter().map(|f| f[2]).sum::<f64>()
+        };
+        assert!((force(&contact) - 2.25 * 0.02).abs() < 1e-15);
+        let found = values.len() - 1;
+        assert_eq!(
+            contact.set_law_fields(2, &values[1..]),
+            Err(Error::Length { array: "values", expected: found + 1, found })
+        );
+        let mut wrong = values.clone();
+        wrong[3] = f64::NAN;
+        assert!(matches!(contact.set_law_fields(2, &wrong), Err(Error::BadEntry { array: "values", entry: 3, .. })));
+        assert!((force(&contact) - 2.25 * 0.02).abs() < 1e-15);
     }
 }

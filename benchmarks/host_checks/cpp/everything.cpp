@@ -159,12 +159,19 @@ void forces_and_getters() {
   own.interface_kind = FMC_INTERFACE_LAW;
   own.reach = 0.5;
   EXPECT(refused(FMC_ERROR_UNSUPPORTED, "without the law", [&] { contact.set_pair_options(a, b, own); }));
-  contact.set_law_pair(1, 0, own, springs, 1);
+  // They are stiffer by a field, which is 1 everywhere.
+  const auto by_field = [&](const fmc::LawPoints &points, const fmc::LawResponse &response) {
+    springs(points, response);
+    for (std::size_t i = 0; i < response.traction.size(); ++i) response.traction[i] *= points.fields[2 * (i / points.dim) + 1];
+  };
+  contact.set_law_fields(Numbers(contact.counts().nodes, 1.0), 1);
+  EXPECT(refused(FMC_ERROR_LENGTH, "values", [&] { contact.set_law_fields({1.0}, 1); }));
+  contact.set_law_pair(1, 0, own, by_field, 1);
   contact.evaluate(coords);
   pulled = 0;
   for (const auto &point : contact.law_points(coords)) {
     for (int axis = 0; axis < 2; ++axis) pulled -= point.traction[axis] * point.axes[3 * axis] * point.area;
-    EXPECT(point.traction[0] == 3 * point.jump[0] && point.body == 0 && point.partner == 1);
+    EXPECT(close(point.traction[0], 3 * point.jump[0], 1e-14) && point.body == 0 && point.partner == 1);
   }
   EXPECT(close(pulled, -contact.body(1).force[0], 1e-12) && contact.pair_options(b, a).interface_kind == FMC_INTERFACE_LAW);
   auto opened = contact.law_history();

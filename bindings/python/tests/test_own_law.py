@@ -4,7 +4,7 @@ import gc
 
 import numpy as np
 import pytest
-from fmc_contact import Contact, FmcError, LawResponse, check_law, errors
+from fmc_contact import Contact, FmcError, LawResponse, check_law, errors, find_equilibrium
 from test_ranks import on_ranks
 
 COORDS = np.array([[0, 0], [2, 0], [2, 1], [0, 1], [0, 1], [1, 1], [2, 1], [0, 2], [1, 2], [2, 2]], float)
@@ -180,6 +180,26 @@ def test_options_come_back_and_keep_the_law():
     assert len(contact.laws.points(COORDS)) == 0
 
 
+def test_a_law_goes_by_fields_of_the_nodes():
+    """A stiffness of the mean of both sides: 1 + x below, and 4 above; over a length of 2 that is 2 · 3."""
+
+    def heated(points):
+        k = points.fields[:, :, 0].mean(1)[:, None]
+        return k * points.jump, k[:, :, None] * np.eye(2)
+
+    contact = bonded(heated)
+    contact.laws.set_fields(np.where(np.arange(10) < 4, 1 + COORDS[:, 0], 4.0))
+    pull = -contact.evaluate(moved(0.0, 0.1)).forces[4:].sum(0)
+    assert pull == pytest.approx([0.0, 0.1 * 2 * 3.0], abs=1e-14)
+    for wrong in (np.ones(9), np.ones((2, 2, 2)), np.full(10, np.nan)):
+        with pytest.raises((FmcError, ValueError)):
+            contact.laws.set_fields(wrong)
+    assert -contact.evaluate(moved(0.0, 0.1)).forces[4:].sum(0) == pytest.approx(pull, abs=1e-15)
+    contact.laws.set_fields(None)
+    with pytest.raises(IndexError):
+        contact.evaluate(moved(0.0, 0.1))
+
+
 def test_ranks_give_the_same_bits():
     def run(communicator=None):
         contact = bonded(cohesive_bilinear, history=2)
@@ -192,3 +212,19 @@ def test_ranks_give_the_same_bits():
     assert expected[0].any() and expected[1].any()
     for found in on_ranks(2, run):
         assert all(map(np.array_equal, found, expected)), found
+
+
+def test_a_search_finds_the_opening_of_a_closed_form():
+    """Two blocks with a joint of k s + c s³ that a load pulls apart: where the blocks are stiff by 1e6, all of it opens alike, to 1e-5."""
+    elastic = pytest.importorskip("elastic")
+    pytest.importorskip("scipy")
+    contact = bonded(stiffening)
+    matrix = elastic.stiffness(COORDS, CONN, 1e8)
+    load = np.zeros(COORDS.shape)
+    load[7:, 1] = 0.5, 1.0, 0.5
+    found = find_equilibrium(lambda x: (matrix @ (x - COORDS).ravel() - load.ravel(), matrix), contact, COORDS, np.arange(8, 20))
+    points = contact.laws.points(found.x)
+    opening = next(root.real for root in np.roots([4e3, 0, 30.0, -1.0]) if abs(root.imag) < 1e-12)
+    assert points.jump[:, 0] == pytest.approx(np.full(len(points), opening), rel=1e-5)
+    assert (points.area * points.traction[:, 0]).sum() == pytest.approx(2.0, rel=1e-8)
+    assert found.iterations <= 10, found.iterations

@@ -154,6 +154,8 @@ impl Host {
             let given = unless(hole, 4, history.ptr()).cast_const();
             let status = checked(fmc_context_set_law_history(self.context, given, numbers));
             assert!(status == OK || hole == 4);
+            let values = unless(hole, 2, self.mesh.coords.as_ptr().cast_mut()).cast_const();
+            checked(fmc_context_set_law_fields(self.context, values, self.mesh.node_count(), self.mesh.dim));
         }
     }
 

@@ -391,6 +391,8 @@ pub struct fmc_law_points {
     pub reference: *const f64,
     pub area: *const f64,
     pub history: *const f64,
+    pub field_count: usize,
+    pub fields: *const f64,
     pub reserved: [u64; 4],
 }
 
@@ -942,6 +944,7 @@ unsafe extern "C" {
     pub fn fmc_context_ppr_pair(context: *const fmc_context, a_kind: i32, a: usize, b_kind: i32, b: usize, ppr: *mut fmc_ppr) -> fmc_status;
     pub fn fmc_own_law_init(law: *mut fmc_own_law) -> fmc_status;
     pub fn fmc_own_law_check(law: *const fmc_own_law, dim: usize, scale: f64, jump: *const f64, jump_count: usize, time_step: f64, tell: fmc_log_callback, user: *mut c_void) -> fmc_status;
+    pub fn fmc_context_set_law_fields(context: *mut fmc_context, values: *const f64, row_count: usize, field_count: usize) -> fmc_status;
     pub fn fmc_context_set_law_pair(context: *mut fmc_context, a_kind: i32, a: usize, b_kind: i32, b: usize, options: *const fmc_pair_options, law: *const fmc_own_law) -> fmc_status;
     pub fn fmc_context_evaluate(context: *mut fmc_context, coords: *const fmc_coords, forces: *const fmc_forces, flags: u32, result: *mut fmc_result) -> fmc_status;
     pub fn fmc_context_body_resultant(context: *const fmc_context, index: usize, body: *mut fmc_resultant) -> fmc_status;

@@ -42,6 +42,10 @@ pub struct fmc_law_points {
     pub area: *const f64,
     /// (count, history_count), as it was accepted last (`fmc_context_commit_step`); 0 at first.
     pub history: *const f64,
+    /// Number of fields (`fmc_context_set_law_fields`).
+    pub field_count: usize,
+    /// Fields at the point of `body`, then at that of `partner`, (count, 2, field_count).
+    pub fields: *const f64,
     /// Zero.
     pub reserved: [u64; 4],
 }
@@ -146,6 +150,8 @@ impl InterfaceLaw for OwnLaw {
             reference: points.references.as_ptr(),
             area: points.areas.as_ptr(),
             history: points.history.as_ptr(),
+            field_count: points.field_count,
+            fields: points.fields.as_ptr(),
             reserved: [0; 4],
         };
         let answer = fmc_law_response {

@@ -37,8 +37,8 @@ impl<const D: usize> Contact<D> {
     /// What its interfaces with a history are asked with.
     pub(crate) fn past(&self) -> Past<'_, D> {
         let Self { partners, method, history, .. } = self;
-        let (damage, of_laws) = (&history.damage, &history.of_laws);
-        Past { damage, of_laws, time_step: history.time_step, partners, options: method.options() }
+        let (damage, of_laws, law_fields) = (&history.damage, &history.of_laws, &history.law_fields);
+        Past { damage, of_laws, law_fields, time_step: history.time_step, partners, options: method.options() }
     }
 }
 

@@ -52,7 +52,7 @@ impl<const D: usize> Found<D> for Governed<D> {
     fn there(&self, (own, _): &Self::Kept, at: At<D>) -> Result<GovernedAt<'_, D>, Error> {
         let known = at.past.of_laws.get(&self.points.bodies);
         let history = known.map_or_else(|| Cow::Owned(own.zeros(self)), Cow::Borrowed);
-        self.at(at.points, &*own.law, (&history, at.past.time_step))
+        self.at(at.points, &*own.law, (&history, at.past.time_step, at.past.law_fields))
     }
 
     /// What was put into the interface, as its law tells.

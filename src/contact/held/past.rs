@@ -3,7 +3,7 @@
 use crate::Error;
 use crate::contact::method::Options;
 use crate::contact::partners::Partners;
-use crate::interfaces::{BrokenFriction, Cohesion, Cohesive, CohesiveLaw, PointState};
+use crate::interfaces::{BrokenFriction, Cohesion, Cohesive, CohesiveLaw, LawFields, PointState};
 use crate::overlap::Partner;
 use std::collections::BTreeMap;
 
@@ -18,6 +18,7 @@ pub(crate) type LawHistory = BTreeMap<[usize; 2], Vec<f64>>;
 pub(crate) struct Past<'a, const D: usize> {
     pub(crate) damage: &'a Damage,
     pub(crate) of_laws: &'a LawHistory,
+    pub(crate) law_fields: &'a LawFields,
     /// 0: none was said.
     pub(crate) time_step: f64,
     pub(crate) partners: &'a Partners<D>,

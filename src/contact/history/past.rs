@@ -10,6 +10,7 @@ use crate::contact::held::{Damage, LawHistory};
 use crate::contact::partners::Poses;
 use crate::contact::wear::Worn;
 use crate::geometry::Surface;
+use crate::interfaces::LawFields;
 use crate::overlap::Partner;
 
 /// What was begun, kept and frozen.
@@ -31,6 +32,8 @@ pub(crate) struct History<const D: usize> {
     pub(crate) damage: Damage,
     /// The same of interfaces by a law of the host.
     pub(crate) of_laws: LawHistory,
+    /// Fields that these laws are asked with.
+    pub(crate) law_fields: LawFields,
     /// How long a step takes, for their viscosity and their laws; 0: nothing was said.
     pub(crate) time_step: f64,
     /// Factor by which the contact was made stiffer since it was made.
@@ -65,6 +68,7 @@ impl<const D: usize> History<D> {
             wear_cycles: 1.0,
             damage: Damage::new(),
             of_laws: LawHistory::new(),
+            law_fields: LawFields::default(),
             time_step: 0.0,
             stiffened: 1.0,
             apart_at: None,

@@ -5,7 +5,7 @@ use crate::contact::changes;
 use crate::contact::evaluation::Contact;
 use crate::contact::governed::{LawPoint, OwnLaw};
 use crate::contact::partners::{Interface, PairOptions};
-use crate::interfaces::InterfaceLaw;
+use crate::interfaces::{InterfaceLaw, LawFields};
 use crate::overlap::Partner;
 use std::sync::Arc;
 
@@ -25,6 +25,32 @@ impl<const D: usize> Contact<D> {
             return Err(Error::Unsupported { what: "your own law beside another interface than 'law'" });
         }
         changes::options::set_pair(self, partners, Some(options), Some(&OwnLaw::new(law)))
+    }
+
+    /// Sets fields that laws of the host are asked with at their points, such as a temperature: `count` numbers for every row of the coordinates,
+    /// all of a row together. They stay until others are set; none: no fields.
+    ///
+    /// # Errors
+    /// [`Error::Length`], [`Error::BadEntry`] for what is not finite; the old ones then stay.
+    pub fn set_law_fields(&mut self, count: usize, values: &[f64]) -> Result<(), Error> {
+        let rows = self.mesh.surface.unknown_count();
+        let expected = rows.saturating_mul(count);
+        if values.len() != expected {
+            return Err(Error::Length { array: "values", expected, found: values.len() });
+        }
+        if let Some(entry) = values.iter().position(|x| !x.is_finite()) {
+            return Err(Error::BadEntry { array: "values", entry, value: values[entry] });
+        }
+        let mut fields = LawFields { count, values: Vec::new() };
+        for field in 0..count {
+            let column: Vec<[f64; D]> = values.chunks(count).map(|row| [row[field]; D]).collect();
+            let points = self.mesh.surface.mesh_points(&column)?;
+            fields.values.resize(points.len() * count, 0.0);
+            points.iter().enumerate().for_each(|(point, value)| fields.values[point * count + field] = value[0]);
+        }
+        self.history.law_fields = fields;
+        self.state.forget_found();
+        Ok(())
     }
 
     /// All points of interfaces by laws of the host at `coords`, by pair, in the order in which the laws are asked.

@@ -153,6 +153,7 @@ FUNCTIONS: dict[str, tuple[Any, list[Any]]] = {
         c_int32,
         [POINTER(fmc_own_law), c_size_t, c_double, Float64Array, c_size_t, c_double, fmc_log_callback, c_void_p],
     ),
+    "fmc_context_set_law_fields": (c_int32, [fmc_context, Float64Array, c_size_t, c_size_t]),
     "fmc_context_set_law_pair": (
         c_int32,
         [fmc_context, c_int32, c_size_t, c_int32, c_size_t, POINTER(fmc_pair_options), POINTER(fmc_own_law)],

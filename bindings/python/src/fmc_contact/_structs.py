@@ -231,6 +231,8 @@ class fmc_law_points(Structure):
         ("reference", c_void_p),
         ("area", c_void_p),
         ("history", c_void_p),
+        ("field_count", c_size_t),
+        ("fields", c_void_p),
         ("reserved", c_uint64 * 4),
     ]
 

@@ -41,6 +41,8 @@ class LawPoints:
         Areas that the points stand for, undeformed.
     bodies : tuple of int
         The pair, the lower one first.
+    fields : ndarray, (n, 2, m)
+        What ``contact.laws.set_fields`` gave, at the point of the first body and at that of the second.
 
     Examples
     --------
@@ -56,6 +58,7 @@ class LawPoints:
     axes: np.ndarray
     area: np.ndarray
     bodies: tuple[int, int]
+    fields: np.ndarray
 
     def __len__(self) -> int:
         return len(self.area)
@@ -122,6 +125,7 @@ def _asked(law: InterfaceLaw) -> Callable[..., None]:
             axes=_of_memory(given.axes, squares).copy(),
             area=_of_memory(given.area, (n,)).copy(),
             bodies=(given.body, given.partner),
+            fields=_of_memory(given.fields, (n, 2, given.field_count)).copy(),
         )
         found = law(asked)
         if not isinstance(found, LawResponse):
@@ -311,6 +315,33 @@ class InterfaceLaws:
             stored=row["stored"].copy(),
             dissipated=row["dissipated"].copy(),
         )
+
+    def set_fields(self, values: Optional[ArrayLike]) -> None:
+        """Sets fields that your own laws are asked with at their points, such as a temperature. They stay until others are set.
+
+        Parameters
+        ----------
+        values : array_like, (n,) or (n, m), or None
+            One or m numbers for every node. None: no fields.
+
+        Raises
+        ------
+        LengthError
+            If there is another number of nodes.
+        NotPositiveError
+            If a number is not finite. The fields stay as they were.
+
+        Examples
+        --------
+        >>> contact.laws.set_fields(np.full(8, 293.15))
+        >>> contact.laws.set_fields(None)
+        """
+        given = np.empty((0, 0)) if values is None else np.ascontiguousarray(floats(values, "values"))
+        given = given[:, None] if given.ndim == 1 else given
+        if given.ndim != 2:
+            raise shape_error("values", given.shape, "(nodes,) or (nodes, fields)")
+        with self._core.handle:
+            self._core.handle.call(library.fmc_context_set_law_fields, given, len(given), given.shape[1])
 
     @property
     def history(self) -> np.ndarray:

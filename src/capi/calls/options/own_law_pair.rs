@@ -77,6 +77,29 @@ pub unsafe extern "C" fn fmc_own_law_check(
     })
 }
 
+/// Sets fields that laws of the host are asked with at their points, such as a temperature: `field_count` numbers for each of `row_count` rows of
+/// the coordinates, all of a row together, (row_count, field_count). They stay until others are set; `field_count` 0: none.
+///
+/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_LENGTH` for another number of rows than coordinates have, `FMC_ERROR_NOT_POSITIVE` for what is not
+/// finite, `FMC_ERROR_BUSY`; the old ones then stay. Threads: one call at a time on a context.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmc_context_set_law_fields(
+    context: *mut fmc_context,
+    values: *const f64,
+    row_count: usize,
+    field_count: usize,
+) -> fmc_status {
+    entry(|| {
+        // SAFETY: the host passes a context and `row_count` times `field_count` numbers.
+        unsafe {
+            write(context, |state| {
+                let values = slice("values", values, row_count, field_count)?;
+                in_either!(&mut state.session, one => one.set_law_fields(field_count, values))
+            })
+        }
+    })
+}
+
 /// Sets the options of a pair as `fmc_context_set_pair_options` does, whose interface is `FMC_INTERFACE_LAW`, with the law. The history of its
 /// points begins with zeros. `fmc_context_set_pair_options` with the same interface keeps law and history.
 ///

@@ -19,6 +19,10 @@ impl<const D: usize> Resident<D> {
         Ok(self.held.contact_mut().set_law_pair(partners, options, law)?)
     }
 
+    pub(crate) fn set_law_fields(&mut self, count: usize, values: &[f64]) -> Result<(), Failure> {
+        Ok(self.held.contact_mut().set_law_fields(count, values)?)
+    }
+
     pub(crate) unsafe fn law_points(
         &mut self,
         coords: &fmc_coords,
