@@ -3063,7 +3063,7 @@ fmc_status fmc_context_pair_wear(const fmc_context *context,
                                  double *wear_a,
                                  double *wear_b);
 
-// How far surfaces are worn off (`fmc_context_set_pair_wear`), a length for every row of the coordinates; 0 at first.
+// How far surfaces are worn off (`fmc_context_set_pair_wear`), a length for every node, in the order of `fmc_context_nodal_contact`; 0 at first.
 //
 // `count` becomes how many numbers there are; `depth` has room for `capacity`. NULL with capacity 0: that alone is asked for.
 //

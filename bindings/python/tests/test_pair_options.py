@@ -67,7 +67,6 @@ def test_a_stiffness_alone_takes_the_law_with_its_exponent() -> None:
         "shear_shape": None,
         "normal_slope": None,
         "shear_slope": None,
-        "wear_coefficients": (0.0, 0.0),
     }
     assert pressures(contact)[0, FLOOR] == pytest.approx(5 * K * 2 * 0.1)
 

@@ -56,13 +56,13 @@ def test_a_restart_has_the_same_bits() -> None:
 def test_options_of_the_pair_and_its_wear_leave_one_another() -> None:
     contact = blocks()
     contact.pairs.set(0, 1, friction_coefficient=0.2)
-    assert contact.pairs.options(1, 0)["wear_coefficients"] == WEAR[::-1]
+    assert contact.pairs.wear(1, 0) == WEAR[::-1]
     contact.pairs.set_wear(0, 1, 0.0)
     assert contact.pairs.options(0, 1)["friction_coefficient"] == 0.2
-    assert contact.pairs.options(0, 1)["wear_coefficients"] == (0.0, 0.0)
+    assert contact.pairs.wear(0, 1) == (0.0, 0.0)
     contact.pairs.set_wear(0, 1, 1e-3)
     contact.pairs.reset(0, 1)
-    assert contact.pairs.options(0, 1)["wear_coefficients"] == (0.0, 0.0)
+    assert contact.pairs.wear(0, 1) == (0.0, 0.0)
     # A pair that has never had options does not get any by not wearing: its self-contact stays off.
     contact.pairs.set_wear(0, 0, 0.0)
     assert contact.pairs.options(0, 0)["excluded"]
@@ -89,7 +89,7 @@ def test_what_cannot_wear_is_refused() -> None:
         contact.wear.facets = np.full((1, 4), 77.0)
     with pytest.raises(errors.NotPositiveError):
         contact.wear.facets = np.array([[0.0, 0.0, -1.0, 0.0]])
-    assert contact.pairs.options(0, 1)["wear_coefficients"] == WEAR
+    assert contact.pairs.wear(0, 1) == WEAR
 
 
 def test_a_step_that_wears_more_than_the_penetration_is_told() -> None:

@@ -338,8 +338,6 @@ class Pairs:
             self._core.handle.call(library.fmc_context_orthotropic_pair, *_named(a), *_named(b), byref(friction))
             ppr = fmc_ppr()
             self._core.handle.call(library.fmc_context_ppr_pair, *_named(a), *_named(b), byref(ppr))
-            wear_a, wear_b = np.empty(1), np.empty(1)
-            self._core.handle.call(library.fmc_context_pair_wear, *_named(a), *_named(b), wear_a, wear_b)
         has_law = found.law != FMC_PAIR_LAW_OF_CONTEXT
         has_friction = found.friction_coefficient != FMC_PAIR_FRICTION_OF_CONTEXT
         options: dict[str, Any] = {"excluded": bool(found.excluded), "gap_offset": found.gap_offset}
@@ -350,7 +348,6 @@ class Pairs:
         is_ppr = options["softening"] == "ppr"
         options.update({key: getattr(ppr, key) if is_ppr else None for key in _OF_PPR})
         options["surfaces"] = (found.surface_a, found.surface_b) if found.surface_a else None
-        options["wear_coefficients"] = (float(wear_a[0]), float(wear_b[0]))
         options["law"] = FMC_LAW[found.law] if has_law else None
         options.update({key: getattr(found, key) if has_law else None for key in _OF_LAW})
         if options["interface"] == "cohesive":
@@ -388,11 +385,39 @@ class Pairs:
         Examples
         --------
         >>> contact.pairs.set_wear(0, 1, 1e-3, 2e-3)
-        >>> contact.pairs.options(0, 1)["wear_coefficients"]
-        (0.001, 0.002)
+        >>> contact.pairs.wear(1, 0)
+        (0.002, 0.001)
         """
         with self._core.handle:
             self._core.handle.call(library.fmc_context_set_pair_wear, *_named(a), *_named(b), float(wear_a), float(wear_b))
+
+    def wear(self, a: Partner, b: Partner) -> tuple[float, float]:
+        """What a pair wears by, as ``set_wear`` has set it.
+
+        Parameters
+        ----------
+        a, b : int or tuple
+            The partners.
+
+        Returns
+        -------
+        tuple of float
+            K of ``a`` and of ``b``, in 1/pressure.
+
+        Raises
+        ------
+        BodyOutOfRangeError, ObstacleOutOfRangeError
+            If there is no such partner.
+
+        Examples
+        --------
+        >>> contact.pairs.wear(0, 1)
+        (0.0, 0.0)
+        """
+        wear_a, wear_b = np.empty(1), np.empty(1)
+        with self._core.handle:
+            self._core.handle.call(library.fmc_context_pair_wear, *_named(a), *_named(b), wear_a, wear_b)
+        return float(wear_a[0]), float(wear_b[0])
 
     def tie(self, a: int, b: int) -> Tie:
         """The tie of two bodies, as it was found without deformation; of bodies that slide without separation where it was found last.
