@@ -57,7 +57,7 @@ impl<const D: usize> Governed<D> {
             })?);
         }
         let count = held.points.len();
-        let (mut apart, mut positions) = (Vec::with_capacity(count), Vec::with_capacity(count * D));
+        let (mut apart, mut positions) = (Vec::<Vector<D>>::with_capacity(count), Vec::with_capacity(count * D));
         for point in &held.points {
             // The nodes of the first body come first: their sum is where the point is.
             let own = point.jump.partition_point(|(node, _)| !held.of_b[*node as usize]);
@@ -65,16 +65,15 @@ impl<const D: usize> Governed<D> {
                 weights.iter().fold(x0, |sum, &(node, weight)| sum + x[node as usize] * weight)
             };
             let position = add(Vector::zeros(), &point.jump[..own]);
-            positions.extend(position.iter().copied());
+            positions.extend_from_slice(position.as_slice());
             apart.push(add(position, &point.jump[own..]));
         }
         let (mut jumps, mut in_space) = (Vec::with_capacity(count * D), Vec::with_capacity(count * D * D));
         for (point, apart) in held.points.iter().zip(&apart) {
-            let apart: &Vector<D> = apart;
             let units = &axes[point.frame as usize].units;
             jumps.extend(units.iter().map(|unit| apart.dot(unit)));
             jumps[in_space.len() / D] -= point.gap;
-            in_space.extend(units.iter().flat_map(|unit| unit.iter().copied()));
+            units.iter().for_each(|unit| in_space.extend_from_slice(unit.as_slice()));
         }
         let answer = Answer::of(
             law,

@@ -8,6 +8,7 @@ mod scene;
 mod bilinear;
 mod checked;
 mod closed_form;
+mod cost;
 mod derivatives;
 mod laws;
 mod refused;
