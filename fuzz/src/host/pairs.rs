@@ -98,6 +98,8 @@ impl Host {
                 law.respond = Some(spring);
                 let before = found();
                 let given = unless(hole, 1, &raw mut law).cast_const();
+                let (dim, scale) = (usize::from(from.excluded % 5), from.stiffness.0);
+                checked(fmc_own_law_check(given, dim, scale, std::ptr::null(), 0, 0.0, None, std::ptr::null_mut()));
                 let status =
                     checked(fmc_context_set_law_pair(context, a_kind, a, b_kind, b, &raw const options, given));
                 assert!(if status == OK { found() == (OK, options) } else { found() == before });
