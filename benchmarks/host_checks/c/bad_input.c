@@ -439,8 +439,8 @@ static void contexts(void) {
   EXPECT(FMC_ERROR_OPTIONS_CONFLICT, "'softening' of a pair belongs to the interface 'cohesive'", BODIES);
   wanted = own, wanted.normal_strength = 1;
   EXPECT(FMC_ERROR_OPTIONS_CONFLICT, "'normal_strength' of a pair belongs to the interface 'cohesive'", BODIES);
-  wanted = own, wanted.interface_kind = 5;
-  EXPECT(FMC_ERROR_BAD_VALUE, "option 'interface_kind' has no value 5", BODIES);
+  wanted = own, wanted.interface_kind = 6;
+  EXPECT(FMC_ERROR_BAD_VALUE, "option 'interface_kind' has no value 6", BODIES);
   wanted = own, wanted.reach = 1;
   EXPECT(FMC_ERROR_OPTIONS_CONFLICT, "'reach' of a pair belongs to the interface 'tied', 'no_separation' or 'cohesive'", BODIES);
   wanted = own, wanted.interface_kind = FMC_INTERFACE_ROUGH, wanted.friction_coefficient = 0.3;

@@ -205,7 +205,7 @@ mod tests {
             (|o| o.law = 3, VALUE, "option 'law' has no value 3"),
             (|o| o.excluded = 2, VALUE, "option 'excluded' has no value 2"),
             (|o| o.reserved[0] = 1, reserved, "later version"),
-            (|o| o.interface_kind = 5, VALUE, "option 'interface_kind' has no value 5"),
+            (|o| o.interface_kind = 6, VALUE, "option 'interface_kind' has no value 6"),
             (|o| o.surface_b = 1, conflict, "'surface_a' and 'surface_b' are 0 and 1"),
             (|o| (o.surface_a, o.surface_b) = (1, -1), conflict, "are 1 and -1"),
             (|o| o.softening = 3, VALUE, "option 'softening' has no value 3"),

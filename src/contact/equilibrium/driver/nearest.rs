@@ -10,8 +10,9 @@ use super::turned::Turned;
 use super::unknowns::moved;
 use crate::contact::tangents::TangentPart;
 
-/// Steps, at most.
+/// Steps, at most; as many more as long as the residual was at its smallest within the last two: what comes nearer is not begun anew.
 const MOST: usize = 16;
+const SINCE: usize = 1;
 
 /// Times running that the residual may stay above its smallest; with friction facets take turns to stick and to slide first.
 const ABOVE: usize = 2;
@@ -68,7 +69,7 @@ async fn by_whole_steps<const D: usize>(
     let mut turned = Turned::default();
     let (mut least, mut above, mut updates) = (f64::INFINITY, 0, search.updates.count);
     let most_above = if search.has_friction { ABOVE_WITH_FRICTION } else { ABOVE };
-    for tried in 0..=MOST {
+    for tried in 0..=2 * MOST {
         let verdict;
         (state, verdict) = search.judged(state).await?;
         if verdict != Verdict::Not {
@@ -80,7 +81,8 @@ async fn by_whole_steps<const D: usize>(
         }
         above = if norm > least { above + 1 } else { 0 };
         least = least.min(norm);
-        if tried == MOST || above > most_above || !search.may_go_on() {
+        let is_over = tried == 2 * MOST || (tried >= MOST && above > SINCE);
+        if is_over || above > most_above || !search.may_go_on() {
             return Ok(None);
         }
         let shift = if search.motions.is_empty() { 0.0 } else { SHIFT };
