@@ -442,7 +442,7 @@ static void contexts(void) {
   wanted = own, wanted.interface_kind = 6;
   EXPECT(FMC_ERROR_BAD_VALUE, "option 'interface_kind' has no value 6", BODIES);
   wanted = own, wanted.reach = 1;
-  EXPECT(FMC_ERROR_OPTIONS_CONFLICT, "'reach' of a pair belongs to the interface 'tied', 'no_separation' or 'cohesive'", BODIES);
+  EXPECT(FMC_ERROR_OPTIONS_CONFLICT, "'reach' of a pair belongs to the interface 'tied', 'no_separation', 'cohesive' or 'law'", BODIES);
   wanted = own, wanted.interface_kind = FMC_INTERFACE_ROUGH, wanted.friction_coefficient = 0.3;
   EXPECT(FMC_ERROR_UNSUPPORTED, "friction of a rough pair", BODIES);
   wanted = own, wanted.interface_kind = FMC_INTERFACE_NO_SEPARATION, wanted.friction_coefficient = 0.3;

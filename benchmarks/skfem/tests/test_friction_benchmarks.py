@@ -65,6 +65,16 @@ def test_a_plate_is_pressed_on_a_plane_and_pushed_along_it(law):
     assert counts[0] <= 15
 
 
+def test_whole_steps_go_on_as_long_as_they_come_nearer():
+    """The second of ten steps is within 1e-8 of its end after sixteen."""
+    plate = pushed_plate.Plate(64)
+    full, counts = plate.full, []
+    for part in (0.1, 0.2):
+        plate.full = part * full
+        counts += plate.push()[1]
+    assert max(counts) <= 24
+
+
 def test_a_soft_plane_bears_as_a_hard_one_where_no_penetration_is_wanted():
     """k = E / 10 h: by the law alone u is a fifth too small."""
     soft = pushed_plate.Plate(16, factor=0.1, penetration=1e-8)

@@ -132,10 +132,7 @@ impl Deck {
         let mut open = Open::default();
         loop {
             if let Some((line, text)) = lines.data() {
-                return Err(Fault::new(
-                    line,
-                    format!("'{text}' belongs to no keyword, or is more than the keyword before it takes"),
-                ));
+                return Err(Fault::new(line, format!("'{text}' belongs to no keyword")));
             }
             let Some(keyword) = lines.keyword() else { break };
             self.take_keyword(&keyword, &mut lines, &mut open)?;

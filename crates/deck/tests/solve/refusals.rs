@@ -92,8 +92,8 @@ fn what_is_not_known_is_named_by_its_line() {
         ),
         ("*STEP", "*RESTART, READ\n*STEP", "*RESTART, READ is not known"),
         // What would be passed over, or would count twice.
-        ("*STATIC", "*STATIC\n1., 1.\n2., 2.", "'2., 2.' belongs to no keyword"),
-        ("1000., 0.3", "1000., 0.3\n2000., 0.3, 100.", "'2000., 0.3, 100.' belongs to no keyword"),
+        ("*STATIC", "*STATIC\n1., 1.\n2., 2.", "*STATIC has a data line more than is known"),
+        ("1000., 0.3", "1000., 0.3\n2000., 0.3, 100.", "*ELASTIC has a data line more than is known"),
         ("*END STEP", "*END STEP\n1, 2, 3", "'1, 2, 3' belongs to no keyword"),
         ("*STEP", "*NSET, NSET=NONE\n*BOUNDARY\nNONE, 1\n*STEP", "node set 'NONE' is empty"),
         ("BOTTOM, 2, 2", "BOTTOM, 2, 2\nBOTTOM, 2, 2, 0.1", "is moved elsewhere along axis 2 by line"),
@@ -213,4 +213,17 @@ fn damaged_files_do_not_panic() {
         }
     }
     fs::remove_dir_all(folder).unwrap();
+}
+
+#[test]
+fn gravity_that_turns_says_whether_it_replaces_the_old() {
+    let good = fs::read_to_string(path("patch.inp")).unwrap();
+    let turned = |op: &str| {
+        let steps =
+            format!("UPPER, GRAV, 1., 0., -1.\n*END STEP\n*STEP\n*STATIC\n*DLOAD{op}\nUPPER, GRAV, 1., 0.1, -1.");
+        let text = good.replacen("UTOP, P3, 10.", &steps, 1).replacen("*ELASTIC", "*DENSITY\n1.\n*ELASTIC", 1);
+        said(&text, "gravity.inp")
+    };
+    assert!(turned("").contains("gravity of another direction acts since an earlier step"), "{}", turned(""));
+    assert_eq!(turned(", OP=NEW"), "nothing");
 }

@@ -1,6 +1,6 @@
 //! Steps: amplitudes, what is let go, and what stays.
 
-use crate::scene::solved;
+use crate::scene::{path, solved, solved_text};
 use fmc_deck::SolveOptions;
 
 /// A square of side 1 with E = 1000 and ν = 0: stresses do not feel one another.
@@ -23,4 +23,15 @@ fn what_a_step_does_not_mention_stays() {
     near(last.load[1], -4.0 - 3.0);
     near(last.displacement, 0.007);
     assert_eq!(outcome.steps.iter().map(|step| step.time).collect::<Vec<_>>(), [1.0, 2.0, 3.0, 4.0]);
+}
+
+#[test]
+fn a_face_that_a_surface_names_twice_is_loaded_once() {
+    let good = std::fs::read_to_string(path("patch.inp")).unwrap();
+    let once = solved_text::<2>("once", &good);
+    let surface = "*SURFACE, NAME=PUSHED\nUTOP, S3\nUTOP, S3\n*MATERIAL";
+    let text = good.replacen("*DLOAD\nUTOP, P3, 10.", "*DSLOAD\nPUSHED, P, 10.", 1).replacen("*MATERIAL", surface, 1);
+    let twice = solved_text::<2>("twice", &text);
+    let [once, twice] = [&once, &twice].map(|outcome| outcome.steps[0].load[1]);
+    assert!(once != 0.0 && (once - twice).abs() < 1e-12 * once.abs(), "{once} {twice}");
 }

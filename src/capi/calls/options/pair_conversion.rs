@@ -212,7 +212,7 @@ mod tests {
             (
                 |o| o.reach = 0.1,
                 conflict,
-                "'reach' of a pair belongs to the interface 'tied', 'no_separation' or 'cohesive'",
+                "'reach' of a pair belongs to the interface 'tied', 'no_separation', 'cohesive' or 'law'",
             ),
             (|o| (o.interface_kind, o.shear_energy) = (1, 2.0), conflict, "'shear_energy' of a pair belongs to"),
             (|o| o.softening = 1, conflict, "'softening' of a pair belongs to the interface 'cohesive'"),
