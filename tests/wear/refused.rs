@@ -2,7 +2,7 @@
 
 use crate::{DELTA, STIFFNESS, WEAR, in_plane, laws, moved, on_a_plane, wearing};
 use fmc_contact::contact::PairOptions;
-use fmc_contact::contact::{Cohesive, WornFacet};
+use fmc_contact::contact::{Cohesive, Interface, WornFacet};
 use fmc_contact::overlap::Partner;
 use fmc_contact::{EnergyLaw, Error, Options, Warning};
 
@@ -14,6 +14,7 @@ fn what_cannot_wear_is_named() {
     let wear = PairOptions::with_wear(WEAR);
     let on_volume = PairOptions { law: Some(EnergyLaw::volume(1.0)), ..wear };
     let held = |own: PairOptions| PairOptions { wear_coefficients: WEAR, ..own };
+    let by_own_law = PairOptions { interface: Interface::Law { reach: 2.0 }, ..PairOptions::default() };
     for (pair, options, wanted) in [
         ([body, obstacle], wear, "a wear coefficient of an obstacle, which does not wear"),
         ([obstacle, body], PairOptions::with_wear([1e-3, 0.0]), "of an obstacle, which does not wear"),
@@ -22,6 +23,7 @@ fn what_cannot_wear_is_named() {
         ([body, other], held(PairOptions::tied(2.0)), "bodies that are tied"),
         ([body, other], held(PairOptions::no_separation(2.0)), "do not separate"),
         ([body, other], held(PairOptions::with_cohesive(Cohesive::new(1.0, 1.0))), "have a cohesive interface"),
+        ([body, other], held(by_own_law), "or one by your own law"),
         ([body, other], on_volume, "the law volume, whose pressure is one for the whole pair"),
         ([body, other], PairOptions::with_wear([1.0, -1.0]), "wear_coefficient"),
         ([body, other], PairOptions::with_wear([f64::NAN, 1.0]), "wear_coefficient"),

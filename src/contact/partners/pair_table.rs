@@ -188,7 +188,7 @@ fn check_wear(pair: &[Partner; 2], options: &PairOptions, law: &EnergyLaw) -> Re
         ([one, other], _) if one == other => "a wear coefficient of a body with itself",
         (_, Interface::Rough) => "a wear coefficient of a rough pair, which never slides",
         _ if is_held && options.surfaces.is_none() => {
-            "a wear coefficient of bodies that are tied, do not separate, or have a cohesive interface"
+            "a wear coefficient of bodies that are tied, do not separate, have a cohesive interface, or one by your own law"
         }
         _ if matches!(law, EnergyLaw::Volume { .. }) => {
             "a wear coefficient by the law volume, whose pressure is one for the whole pair: give the pair the law depth"

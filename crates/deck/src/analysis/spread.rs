@@ -4,7 +4,7 @@ use super::Bodies;
 use super::facets::corner_count;
 use super::surfaces::{face_number, no_face, surface};
 use crate::Fault;
-use crate::read::{Deck, Kind, Load, LoadKind, face_corners};
+use crate::read::{Deck, Kind, Load, LoadKind, SurfaceRow, face_corners};
 use fmc_solid::fem::Face;
 use std::collections::BTreeMap;
 
@@ -54,7 +54,7 @@ pub(super) fn spread<const D: usize>(
 }
 
 /// Faces `face` of the cells of a set, by their corners; `letter` is what stands before their numbers.
-pub(super) fn faces_of<const D: usize>(
+fn faces_of<const D: usize>(
     deck: &Deck,
     bodies: Bodies<D>,
     instance: Option<usize>,
@@ -69,6 +69,18 @@ pub(super) fn faces_of<const D: usize>(
         Ok(key(bodies, nodes, local))
     };
     deck.names.find(Kind::Cell, instance, set, line)?.into_iter().map(of).collect()
+}
+
+/// Faces that a row of a surface names, by their corners.
+pub(super) fn faces_of_row<const D: usize>(
+    deck: &Deck,
+    bodies: Bodies<D>,
+    instance: Option<usize>,
+    row: &SurfaceRow,
+) -> Result<Vec<Vec<u32>>, Fault> {
+    let cells = deck.names.find(Kind::Cell, instance, &row.set, row.line)?;
+    let face = face_number(deck, cells[0], row)?;
+    faces_of(deck, bodies, instance, (&row.set, row.line), ('S', face))
 }
 
 /// All faces of a cell of the file, by their corners.
@@ -95,10 +107,7 @@ fn on_surface<const D: usize>(deck: &Deck, bodies: Bodies<D>, load: &Load) -> Re
         if row.face.is_empty() {
             return Err(Fault::new(row.line, "a load needs faces S1, S2, …, and this names none"));
         }
-        let cells = deck.names.find(Kind::Cell, instance, &row.set, row.line)?;
-        let Some(&first) = cells.first() else { continue };
-        let face = face_number(deck, first, row)?;
-        keys.extend(faces_of(deck, bodies, instance, (&row.set, row.line), ('S', face))?);
+        keys.extend(faces_of_row(deck, bodies, instance, row)?);
     }
     // Rows of a surface may share faces: each is there once.
     keys.sort_unstable();

@@ -1,8 +1,8 @@
 //! Which faces of which bodies a tie names.
 
 use super::Bodies;
-use super::spread::{Faces, faces_of, keys_of_cell};
-use super::surfaces::{face_number, surface};
+use super::spread::{Faces, faces_of_row, keys_of_cell};
+use super::surfaces::surface;
 use crate::Fault;
 use crate::read::{Deck, Kind, Note, SurfaceRow};
 use std::collections::{BTreeMap, BTreeSet};
@@ -74,15 +74,13 @@ fn of_elements<const D: usize>(
 ) -> Result<(Part, Option<String>), Fault> {
     let (mut part, mut inside) = (Part::new(), 0);
     for row in rows {
-        let cells = deck.names.find(Kind::Cell, instance, &row.set, row.line)?;
-        let Some(&first) = cells.first() else { continue };
         if row.face.is_empty() {
+            let cells = deck.names.find(Kind::Cell, instance, &row.set, row.line)?;
             let keys = cells.iter().flat_map(|&cell| keys_of_cell(deck, bodies, cell));
             part.extend(keys.filter(|key| all.contains_key(key)));
             continue;
         }
-        let face = face_number(deck, first, row)?;
-        for key in faces_of(deck, bodies, instance, (&row.set, row.line), ('S', face))? {
+        for key in faces_of_row(deck, bodies, instance, row)? {
             inside += usize::from(!all.contains_key(&key));
             part.extend(Some(key).filter(|key| all.contains_key(key)));
         }

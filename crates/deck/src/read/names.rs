@@ -166,7 +166,7 @@ impl Names {
         found.map_or((None, name), |(number, rest)| (Some(number), rest))
     }
 
-    /// Nodes or elements of a set or label, ascending; `instance` is where it is looked for.
+    /// Nodes or elements of a set or label, ascending, at least one; `instance` is where it is looked for.
     pub(crate) fn find(
         &self,
         kind: Kind,

@@ -135,7 +135,8 @@ async fn step<const D: usize>(
     let (step, slope) = direction(search, state, *shift, is_current).await?;
     let most = search.allowed(&state.x, &step).await?;
     let (mut part, mut last, mut why) = (most, None, String::new());
-    for _ in 0..if is_current { TRIALS_CURRENT } else { TRIALS } {
+    let trials = if is_current { TRIALS_CURRENT } else { TRIALS };
+    for _ in 0..trials {
         let next = match State::at(&search.host, moved(&state.x, part, &step), false).await {
             Ok(next) => next,
             Err(trouble @ (Trouble::Contact(_) | Trouble::Host(_))) => {
