@@ -4,7 +4,8 @@
 use crate::Error;
 use crate::contact::evaluation::{Contact, kernels, moved_out};
 use crate::contact::friction::{
-    CarriedSlip, FacetSlip, FrozenFriction, MovedOut, PastPoints, SliderName, SlipFacets, Step, list_slip, slip_of_list,
+    CarriedSlip, Duals, FacetSlip, FrozenFriction, MovedOut, PastPoints, SliderName, SlipFacets, Step, list_slip,
+    slip_of_list,
 };
 use crate::contact::history::{Bearings, Begun};
 use crate::contact::wear::{Worn, WornFacet};
@@ -116,9 +117,20 @@ pub(crate) fn take_up<const D: usize>(contact: &mut Contact<D>, begun: Begun<D>)
 
 /// Freezes the facets on which friction acts and their pressure. On an error what was frozen before stays.
 pub(crate) fn freeze<const D: usize>(contact: &mut Contact<D>, coords: &[[f64; D]]) -> Result<(), Error> {
+    freeze_after(contact, coords, &mut Duals::default(), false)
+}
+
+/// The same where a step of an iteration has led to, with the tractions that it asked for, or as if it were the first.
+pub(crate) fn freeze_after<const D: usize>(
+    contact: &mut Contact<D>,
+    coords: &[[f64; D]],
+    duals: &mut Duals<D>,
+    is_used: bool,
+) -> Result<(), Error> {
     contact.history.step()?;
-    let pairs = kernels::slip_facets(contact, coords)?;
+    let mut pairs = kernels::slip_facets(contact, coords)?;
     contact.mesh.check_brought(coords)?;
+    duals.take(&mut pairs, is_used);
     let (points, poses) = (past_points(contact, coords)?, contact.partners.obstacles.poses());
     contact.history.frozen = Some(FrozenFriction::new(pairs, points, poses, contact.mesh.epoch()));
     Ok(())

@@ -21,6 +21,7 @@
 //! (what of, and whom) · `state`, `balance` (bodies and contact, and when they balance) · `assembly`, `elastic`, `projected`, `joined` (nodes that a host joins), `rows`, `limit` (where bodies
 //! are, and how far they may go) · `quadratic` · `options`, `trouble`, `outcome` · `masses` (layers for explicit hosts)
 
+mod along;
 mod assembly;
 mod attempt;
 mod balance;

@@ -58,6 +58,8 @@ pub(crate) struct SlipFacet<const D: usize> {
     pub(crate) by_approach: Vector<D>,
     /// Whether limits and parts of the step are those of an earlier iteration.
     pub(crate) is_frozen: bool,
+    /// Traction that the last step of the iteration asked for, by the limit; zero where there was none.
+    pub(crate) dual: Vector<D>,
     /// Slip over which its coefficient falls from that at rest; zero where it does not.
     pub(crate) weakening_slip: f64,
     pub(crate) bearing: Bearing,
@@ -160,6 +162,7 @@ impl<const D: usize> SlipFacets<D> {
             counted: touch.counted,
             by_approach: tangential(slip * touch.by_approach),
             is_frozen: false,
+            dual: Vector::zeros(),
             weakening_slip: sliding.friction.at_rest.map_or(0.0, |at_rest| at_rest.weakening_slip),
             bearing,
             before,

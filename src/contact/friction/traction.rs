@@ -38,10 +38,13 @@ pub(crate) struct Traction<const D: usize> {
 impl<const D: usize> Traction<D> {
     /// The stiffness with that along the slip from none to this one: where it slides nothing resists more of it, and a quadratic energy that
     /// has this stiffness is nowhere below that of the slider.
-    pub(super) fn secant(&self, trial: &Vector<D>) -> SMatrix<f64, D, D> {
+    pub(super) fn secant(&self, trial: &Vector<D>, dual: &Vector<D>) -> SMatrix<f64, D, D> {
         let work = self.value.dot(trial);
         match self.slides && work > 0.0 {
-            true => self.stiffness + self.value * self.value.transpose() / work,
+            true => {
+                let part = 1.0 - dual.dot(&self.value) / self.value.norm();
+                self.stiffness + self.value * self.value.transpose() * (part / work)
+            }
             false => self.stiffness,
         }
     }

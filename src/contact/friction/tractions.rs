@@ -176,7 +176,7 @@ impl<const D: usize> Scratch<D> {
         let tangential = SMatrix::<f64, D, D>::identity() - facet.normal * facet.normal.transpose();
         let with_limit = part == TangentPart::Full;
         let is_secant = facet.is_frozen && part == TangentPart::Semidefinite;
-        let by_slip = if is_secant { traction.secant(&facet.trial) } else { traction.stiffness };
+        let by_slip = if is_secant { traction.secant(&facet.trial, &facet.dual) } else { traction.stiffness };
         let mut stiffness = tangential * by_slip * tangential * (facet.area * facet.counted);
         if with_limit && facet.by_approach != Vector::<D>::zeros() {
             // The nearer they come in the step, the more of it counts.

@@ -1,11 +1,13 @@
 //! Down the energy, by steps that a part of the diagonal keeps short, with friction frozen as long as it is far from the end.
 
+use super::along::along;
 use super::balance::Verdict;
 use super::host::System;
 use super::search::Search;
 use super::state::State;
 use super::trouble::Trouble;
 use super::unknowns::{dot, largest, moved};
+use crate::contact::friction::Duals;
 use crate::contact::tangents::TangentPart;
 
 /// Steps, at most.
@@ -30,7 +32,11 @@ const CURRENT_BELOW: f64 = 0.05;
 /// A residual of which less than this part is left comes nearer.
 const NEARER: f64 = 0.9;
 
-/// Steps, one after the other, that come no nearer: friction frozen at the pressure before leads in circles, and as many steps are half as long.
+/// Frozen steps, one after the other, of each of which more than this part of the residual is left: bodies creep to where they stick.
+const CREEPING: usize = 2;
+const CREEPS: f64 = 0.7;
+
+/// Steps, one after the other, that come no nearer by any measure: as many are then as if bodies crept.
 const IN_CIRCLES: usize = 6;
 
 /// Steps with frozen friction after one with that of now has led nowhere.
@@ -46,6 +52,7 @@ pub(super) async fn downhill<const D: usize>(
     let mut shift = first_shift(search, &state);
     let (mut trail, mut frozen_for) = (Vec::new(), 0usize);
     let (mut nearest, mut since) = (f64::INFINITY, 0);
+    let (mut duals, mut creeping) = (Duals::default(), 0);
     for tried in 0..=MOST {
         let verdict;
         (state, verdict) = search.judged(state).await?;
@@ -59,10 +66,14 @@ pub(super) async fn downhill<const D: usize>(
         let is_near = search.balance.relative() < CURRENT_BELOW && frozen_for == 0;
         let is_current = search.has_friction && !search.options.is_lagged && is_near;
         let is_frozen = search.has_friction && !is_current;
+        let is_creeping = creeping >= CREEPING || since / IN_CIRCLES % 2 == 1;
         if is_frozen {
-            state = search.frozen_at(state).await?;
+            state = search.frozen_at(state, &mut duals, is_creeping).await?;
         }
-        let stepped = step(search, &state, &mut shift, is_current).await;
+        let stepped = match is_frozen && is_creeping {
+            true => to_the_least(search, &state, &mut shift).await,
+            false => step(search, &state, &mut shift, is_current).await,
+        };
         if is_frozen {
             search.host.contact(|contact| contact.release_friction()).await;
         }
@@ -70,11 +81,12 @@ pub(super) async fn downhill<const D: usize>(
         let relative = search.balance.relative();
         (nearest, since) = if relative < NEARER * nearest { (relative, 0) } else { (nearest, since + 1) };
         match stepped? {
-            Some(x) if is_frozen && since / IN_CIRCLES % 2 == 1 => {
-                let x = moved(&state.x, 0.5, &moved(&x, -1.0, &state.x));
+            Some(Stepped { x, left }) => {
+                if is_frozen {
+                    creeping = if left > CREEPS { creeping + 1 } else { 0 };
+                }
                 state = State::at(&search.host, x, true).await?;
             }
-            Some(x) => state = State::at(&search.host, x, true).await?,
             None => frozen_for = FROZEN,
         }
     }
@@ -124,13 +136,42 @@ async fn direction<const D: usize>(
     found.ok_or_else(|| Trouble::Hopeless(format!("{why}: is every body held?")))
 }
 
+/// Where a step has led, and the part of the residual that is left.
+struct Stepped {
+    x: Vec<f64>,
+    left: f64,
+}
+
+/// A step as far as the energy falls along it.
+async fn to_the_least<const D: usize>(
+    search: &Search<D>,
+    state: &State<D>,
+    shift: &mut f64,
+) -> Result<Option<Stepped>, Trouble> {
+    let (step, slope) = direction(search, state, *shift, false).await?;
+    let most = search.allowed(&state.x, &step).await?;
+    let (next, part) = along(search, state, (&step, slope), most).await?;
+    let left = next.norm(&search.host) / state.norm(&search.host);
+    *shift = next_shift(*shift, part / most, left);
+    Ok(Some(Stepped { x: next.x, left }))
+}
+
+/// The part of the diagonal after a step of which this part was taken.
+fn next_shift(shift: f64, part: f64, left: f64) -> f64 {
+    match part {
+        part if part >= 1.0 && left < 1.0 => (0.1 * shift).max(SHIFTS[0]),
+        part if part > 0.1 => shift,
+        _ => (10.0 * shift).min(SHIFTS[1]),
+    }
+}
+
 /// Where a step leads; `None` where one with the friction of now leads nowhere.
 async fn step<const D: usize>(
     search: &Search<D>,
     state: &State<D>,
     shift: &mut f64,
     is_current: bool,
-) -> Result<Option<Vec<f64>>, Trouble> {
+) -> Result<Option<Stepped>, Trouble> {
     let norm = state.norm(&search.host);
     let (step, slope) = direction(search, state, *shift, is_current).await?;
     let most = search.allowed(&state.x, &step).await?;
@@ -153,14 +194,11 @@ async fn step<const D: usize>(
             here.is_lowered_by(part, slope, &ahead) || there < 0.5 * norm
         };
         if is_better {
-            *shift = match part {
-                part if part == most && there < norm => (0.1 * *shift).max(SHIFTS[0]),
-                part if part > 0.1 * most => *shift,
-                _ => (10.0 * *shift).min(SHIFTS[1]),
-            };
-            return Ok(Some(next.x));
+            let left = there / norm;
+            *shift = next_shift(*shift, part / most, left);
+            return Ok(Some(Stepped { x: next.x, left }));
         }
-        last = Some(next.x);
+        last = Some(Stepped { x: next.x, left: there / norm });
         part *= 0.5;
     }
     if is_current {

@@ -12,7 +12,10 @@ use super::patches::Patches;
 use super::state::State;
 use super::trouble::{Trouble, Unheld};
 use super::updates::Updates;
+use crate::Error;
+use crate::contact::changes::friction_steps::freeze_after;
 use crate::contact::cohesive::Breaking;
+use crate::contact::friction::Duals;
 use std::sync::Arc;
 
 /// What the parts of a search share.
@@ -115,10 +118,19 @@ impl<const D: usize> Search<D> {
         Ok(found.part)
     }
 
-    /// The state with its friction frozen there.
-    pub(super) async fn frozen_at(&self, state: State<D>) -> Result<State<D>, Trouble> {
-        let coords = self.host.unknowns.coords(&state.x);
-        self.host.contact(move |contact| contact.freeze_friction(&coords)).await?;
+    /// The state with its friction frozen there, with the tractions that the last step asked for, or as if there had been none.
+    pub(super) async fn frozen_at(
+        &self,
+        state: State<D>,
+        duals: &mut Duals<D>,
+        are_used: bool,
+    ) -> Result<State<D>, Trouble> {
+        let (coords, mut taken) = (self.host.unknowns.coords(&state.x), std::mem::take(duals));
+        let frozen = self.host.contact(move |contact| {
+            freeze_after(contact, &coords, &mut taken, are_used)?;
+            Ok::<_, Error>(taken)
+        });
+        *duals = frozen.await?;
         state.again(&self.host).await
     }
 
