@@ -42,16 +42,21 @@ pub(super) async fn equilibrium<const D: usize>(
     if search.is_at_rest(x).await? {
         return balanced(search, x).await;
     }
-    if let Some(unloaded) = search.unloaded.take()
-        && let Some((state, verdict)) = apart(search, x, unloaded).await?
-    {
-        return Ok(Reached { state, verdict, way: Way::Nearest });
-    }
-    if let Some(falling) = search.falling.take()
-        && let Some(stuck) = stuck(search, x, falling).await?
-        && let Some((state, verdict)) = nearest(search, &stuck, Begin::Stuck).await?
-    {
-        return Ok(Reached { state, verdict, way: Way::Nearest });
+    let stuck = match search.falling.take() {
+        Some(falling) => stuck(search, x, falling).await?,
+        None => None,
+    };
+    let (unloaded, is_wedged) = (search.unloaded.take(), stuck.as_ref().is_some_and(|stuck| stuck.is_wedged));
+    // What friction keeps wedged stays so without a load.
+    for is_stuck in [is_wedged, !is_wedged] {
+        let found = match (&stuck, unloaded) {
+            (Some(stuck), _) if is_stuck => nearest(search, &stuck.x, Begin::Stuck).await?,
+            (_, Some(unloaded)) if !is_stuck => apart(search, x, unloaded).await?,
+            _ => None,
+        };
+        if let Some((state, verdict)) = found {
+            return Ok(Reached { state, verdict, way: Way::Nearest });
+        }
     }
     let settled = settle(search, x).await?;
     *rigid_steps += settled.steps;

@@ -6,6 +6,8 @@ use crate::contact::equilibrium::augmentation::AllMultipliers;
 pub(super) struct Falling<const D: usize> {
     /// What is left of it.
     pub(super) part: f64,
+    /// Forces of the contact with the load as it was.
+    pub(super) forces: f64,
     /// Multipliers of the load as it was.
     pub(super) before: AllMultipliers<D>,
 }

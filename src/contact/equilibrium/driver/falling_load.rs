@@ -24,7 +24,12 @@ pub(super) async fn falling_load<const D: usize>(search: &mut Search<D>, start: 
         !contact.history.multipliers.is_empty() || contact.ties.have_multipliers() || contact.glides.have_multipliers()
     });
     let has_any = has_any.await;
-    if !(has_any || search.has_friction) || start.norm(host) <= CHANGED * norm(&start.forces) {
+    if start.norm(host) <= CHANGED * norm(&start.forces) {
+        // What presses hardly does so for the load that changes.
+        search.unloaded = None;
+        return Ok(start);
+    }
+    if !(has_any || search.has_friction) {
         return Ok(start);
     }
     let rounding = search.balance.rounding(host, &search.assembly, &start).await?;
@@ -43,8 +48,10 @@ pub(super) async fn falling_load<const D: usize>(search: &mut Search<D>, start: 
     if !(part.is_finite() && part < 1.0) {
         return Ok(start);
     }
-    if search.has_friction && part > 0.0 {
-        search.falling = Some(Falling { part, before: search.host.contact(|contact| contact.all_multipliers()).await });
+    if search.has_friction {
+        let (part, forces) = (part.max(0.0), norm(&start.forces));
+        search.falling =
+            Some(Falling { part, forces, before: search.host.contact(|contact| contact.all_multipliers()).await });
     }
     if !has_any {
         return Ok(start);

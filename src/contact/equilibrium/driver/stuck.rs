@@ -10,7 +10,7 @@ use super::host::System;
 use super::search::Search;
 use super::state::State;
 use super::trouble::Trouble;
-use super::unknowns::moved;
+use super::unknowns::{moved, norm};
 use crate::contact::changes::friction_steps::hold;
 use crate::contact::evaluation::Contact;
 use crate::contact::tangents::TangentPart;
@@ -21,19 +21,31 @@ const SHIFT: f64 = 1e-12;
 /// Part of the multipliers' change from which the change of the forces is found: so little that nothing parts.
 const LITTLE: f64 = 1e-6;
 
+/// Part of the forces above which bodies are wedged where they are after a step in which nothing slides, whatever is left of the load, and
+/// residual by these forces below which they balance there: forces of bodies that part are gone by then, but for what surfaces cannot pull.
+const WEDGED: f64 = 1e-3;
+const BALANCE: f64 = 0.5;
+
+/// Where bodies go if nothing slides or parts.
+pub(super) struct Stuck {
+    pub(super) x: Vec<f64>,
+    /// Whether they press one another there.
+    pub(super) is_wedged: bool,
+}
+
 /// Where bodies go if nothing slides or parts; `None` where that is not known, or where something is in the way.
 pub(super) async fn stuck<const D: usize>(
     search: &mut Search<D>,
     x: &[f64],
     falling: Falling<D>,
-) -> Result<Option<Vec<f64>>, Trouble> {
+) -> Result<Option<Stuck>, Trouble> {
     let coords = search.host.unknowns.coords(x);
     let put_back = |contact: &mut Contact<D>, multipliers| {
         let now = contact.all_multipliers();
         contact.put_back_multipliers(multipliers);
         now
     };
-    let Falling { part, before } = falling;
+    let Falling { part, forces, before } = falling;
     let (now, is_held) =
         search.host.contact(move |contact| (put_back(contact, before), hold(contact, &coords).is_ok())).await;
     let step = if is_held { held_step(search, x, part).await } else { Ok(None) };
@@ -46,7 +58,19 @@ pub(super) async fn stuck<const D: usize>(
         .await;
     let Some(step) = step? else { return Ok(None) };
     let Ok(allowed) = search.allowed(x, &step).await else { return Ok(None) };
-    Ok((allowed == 1.0).then(|| moved(x, 1.0, &step)))
+    if allowed < 1.0 {
+        return Ok(None);
+    }
+    let x = moved(x, 1.0, &step);
+    let is_wedged = match State::at(&search.host, x.clone(), false).await {
+        Ok(state) => {
+            let there = norm(&state.forces);
+            there > WEDGED * forces && state.norm(&search.host) < BALANCE * there
+        }
+        Err(Trouble::Contact(_) | Trouble::Host(_)) => false,
+        Err(other) => return Err(other),
+    };
+    Ok(Some(Stuck { x, is_wedged }))
 }
 
 /// The step of the contact as it is, with what the multipliers press with falling to a part.
