@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from fmc_contact import Contact, errors
+from fmc_contact import Contact, LawResponse, errors
 
 K, WEAR = 1e3, (1e-4, 3e-4)
 SQUARES = np.array([[0, 0], [1, 0], [1, 1], [0, 1], [0.25, 0.999], [0.75, 0.999], [0.75, 2], [0.25, 2]])
@@ -68,6 +68,21 @@ def test_options_of_the_pair_and_its_wear_leave_one_another() -> None:
     assert contact.pairs.options(0, 0)["excluded"]
 
 
+def test_a_law_of_named_parts_leaves_the_wear_of_the_other_faces() -> None:
+    grid = np.array([[0, 0], [1, 0], [2, 0], [0, 1], [1, 1], [2, 1], [0, 1], [1, 1], [2, 1], [0, 2], [1, 2], [2, 2]], float)
+    cells = [[0, 1, 4, 3], [1, 2, 5, 4], [6, 7, 10, 9], [7, 8, 11, 10]]
+    contact = Contact(grid, cells, "quad", bodies=[0, 0, 1, 1], stiffness=K)
+    middle = grid[contact.mesh.boundary_facets().nodes].mean(1)
+    left = contact.mesh.add_surface((middle[:, 1] == 1) & (middle[:, 0] < 1))
+    contact.pairs.set_wear(0, 1, *WEAR)
+
+    def spring(points):
+        return LawResponse(K * points.jump, np.broadcast_to(K * np.eye(2), points.axes.shape))
+
+    contact.pairs.set(0, 1, interface="law", law=spring, surfaces=(left, left))
+    assert contact.pairs.wear(0, 1) == WEAR
+
+
 def test_what_cannot_wear_is_refused() -> None:
     contact = blocks()
     floor = ("obstacle", contact.obstacles.add_half_space((0, 0), (0, 1)))
@@ -81,6 +96,8 @@ def test_what_cannot_wear_is_refused() -> None:
         contact.pairs.set(0, 1, law="volume", stiffness=1.0)
     with pytest.raises(errors.UnsupportedError, match="that are tied"):
         contact.pairs.set(0, 1, interface="tied", reach=0.1)
+    with pytest.raises(errors.UnsupportedError, match="or one by your own law"):
+        contact.pairs.set(0, 1, interface="law", law=lambda points: LawResponse(points.jump, np.zeros((2, 2))), reach=0.1)
     with pytest.raises(errors.NotPositiveError, match="wear_cycles"):
         contact.wear.set_cycles(0)
     with pytest.raises(errors.LengthError, match="facets"):

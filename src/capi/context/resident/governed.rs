@@ -10,12 +10,15 @@ use crate::overlap::Partner;
 use std::sync::Arc;
 
 impl<const D: usize> Resident<D> {
+    /// Sets the options of a pair with its law; it goes on to wear as it did.
     pub(crate) fn set_law_pair(
         &mut self,
         partners: [Partner; 2],
         options: PairOptions,
         law: Arc<OwnLaw>,
     ) -> Result<(), Failure> {
+        let wear_coefficients = self.pair_options(partners)?.wear_coefficients;
+        let options = PairOptions { wear_coefficients, ..options };
         Ok(self.held.contact_mut().set_law_pair(partners, options, law)?)
     }
 
