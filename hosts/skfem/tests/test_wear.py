@@ -62,6 +62,41 @@ def test_a_thousand_cycles_of_an_elastic_pin_under_a_constant_load(cycles, eleme
     assert pin.contact.contact.wear.volumes == pytest.approx(expected, rel=1e-3)
 
 
+def test_a_restart_with_a_penetration_tolerance_is_the_unbroken_run():
+    given, stroke = E, 0.02
+
+    def pin():
+        return Pin(0.3, given, friction_coefficient=0.2)
+
+    def go(pin, steps):
+        for _ in range(steps):
+            pin.slide(stroke, penetration=1e-6)
+            pin.commit()
+        return pin
+
+    unbroken = pin()
+    unbroken.contact.begin_step(unbroken.u)
+    before = go(unbroken, 2)
+    contact = before.contact.contact
+    saved = contact.options["stiffness"], contact.multipliers.values, contact.wear.facets, contact.friction.slip, before.u, before.way
+    # As far as it goes: a new contact that does not know of it would raise it again.
+    assert saved[0] == 16 * given
+    go(unbroken, 3)
+
+    again = pin()
+    contact = again.contact.contact
+    contact.stiffen(saved[0] / given)
+    contact.multipliers.values, contact.wear.facets = saved[1:3]
+    again.u, again.way = saved[4:]
+    contact.obstacles.set_pose(again.plane, Pose((again.way, 0)))
+    again.contact.begin_step(again.u)
+    contact.friction.slip = saved[3]
+    go(again, 3)
+    assert np.array_equal(again.u, unbroken.u)
+    assert np.array_equal(contact.wear.facets, unbroken.contact.contact.wear.facets)
+    assert contact.options["stiffness"] == saved[0]
+
+
 def test_the_peaks_below_a_punch_wear_flat():
     # A punch with sharp corners on an elastic plate that goes to and fro below it: peaks at its corners at first.
     n, width = 8, 4
