@@ -7,7 +7,7 @@
 //! ```
 //!
 //! `options` · `return_mapping` (from slip to `traction`) · `orthotropic`, `ellipse`, `direction` (limits that are other ones along a direction) · `past_points`, `step` (the state when
-//! the step began) · `moved_out` (surfaces that multipliers move out) · `side_motion` (how one side moved since) · `touch` (the part of the step during which a facet bears) · `carried` (elastic slip from one step to the next) · `carriers` (the facets on which a point
+//! the step began) · `moved_out` (surfaces that multipliers move out) · `side_motion` (how one side moved since) · `turn` (arcs of sides that turn) · `touch` (the part of the step during which a facet bears) · `carried` (elastic slip from one step to the next) · `carriers` (the facets on which a point
 //! lies) · `energy` (what a facet has dissipated) · `bore` (limits before) · `facet_sums` (sums over the points of a facet) · `slip_facets` (the facets of a pair with their slip) ·
 //! `tractions` (forces, tangent and energies of a pair) · `frozen` (facets and pressure of an earlier iteration) ·
 //! `at_points` (what hosts see) · `heat` (where dissipated energy goes) · `worn_off` (by what slides)
@@ -34,6 +34,7 @@ mod step;
 mod touch;
 mod traction;
 mod tractions;
+mod turn;
 mod worn_off;
 
 pub(super) use at_points::{NodalFriction, PointFriction};

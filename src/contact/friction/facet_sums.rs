@@ -6,6 +6,7 @@ use super::direction::direction_at;
 use super::side_motion::{LastFacet, Mover, SideMotion};
 use super::step::Sliding;
 use super::touch::Bearing;
+use super::turn::turned;
 use crate::contact::laws::PressurePoint;
 use crate::geometry::Vector;
 use crate::geometry::facet::area_vector;
@@ -67,7 +68,7 @@ pub(super) fn add_point<const D: usize>(
         SideMotion::new(pair, sliding, (point, 0), last_of_a)?,
         SideMotion::new(pair, sliding, (point, 1), last_of_b)?,
     ];
-    let turned = (sides[0].deformation + sides[1].deformation) * 0.5;
+    let turned = turned(&sides[0].deformation, &sides[1].deformation);
     let slip = (sides[0].now - sides[1].now) - turned * (sides[0].start - sides[1].start);
     // Surfaces come nearer also as they are moved out; the material does not slip by that.
     let out = (sides[0].out - sides[1].out) - turned * (sides[0].was_out - sides[1].was_out);
