@@ -16,6 +16,7 @@ mod side_state;
 mod slip_gradients;
 mod steps;
 mod stick_slip;
+mod stiffened;
 mod touch;
 mod turned;
 mod volume_law;

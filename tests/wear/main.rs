@@ -5,6 +5,7 @@ mod communicator;
 #[path = "../scene/scene.rs"]
 mod scene;
 
+mod account;
 mod closed_form;
 mod refused;
 mod state;

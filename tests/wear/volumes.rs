@@ -20,6 +20,9 @@ fn by_work<const D: usize>(scene: &Scene<D>, options: Options) {
             // What facets of either side bear differs at the rim, of a width of DELTA.
             assert!((volume / expected - 1.0).abs() < 1e-3, "{step}: {volume} {expected} {:?}", options.law);
         }
+        // Each side bears a half of the work, and both together all of it: to rounding of ten sums.
+        let mean: f64 = found.iter().zip(WEAR).map(|(volume, coefficient)| 0.5 * volume / coefficient).sum();
+        assert!((mean * options.friction.coefficient / work - 1.0).abs() < 1e-12, "{step}: {mean} {work}");
     }
 }
 

@@ -10,6 +10,7 @@ use crate::contact::friction::{
 use crate::contact::history::{Bearings, Begun};
 use crate::contact::wear::{Worn, WornFacet};
 use crate::geometry::Vector;
+use crate::overlap::Partner;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Begins a step at these coordinates. On an error nothing has changed.
@@ -231,11 +232,12 @@ fn bearings<const D: usize>(
     contact: &Contact<D>,
     pairs: impl FnOnce() -> Result<Vec<SlipFacets<D>>, Error>,
 ) -> Result<Option<Bearings>, Error> {
-    let Contact { mesh, partners, method, .. } = contact;
+    let Contact { mesh, partners, method, history, .. } = contact;
     let options = method.options();
     if !partners.has_friction(options) || partners.check_stiffness(options).is_err() {
         return Ok(None);
     }
     let rules = partners.bearing_rules(options, mesh.hashes());
-    Ok(Some(Bearings::new(&pairs()?, rules, partners.obstacles.count())))
+    let stiffness = (|pair: &[Partner; 2]| partners.stiffness_of(pair, options), history.stiffened);
+    Ok(Some(Bearings::new(&pairs()?, stiffness, rules, partners.obstacles.count())))
 }

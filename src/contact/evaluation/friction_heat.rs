@@ -40,7 +40,7 @@ pub(super) fn friction_heat_in<const D: usize>(
     let found: Vec<[Partner; 2]> = facets.iter().map(|pair| pair.partners).collect();
     if let Some(step) = &contact.history.step {
         let without_facets =
-            facets.iter().filter(|pair| pair.facets.is_empty()).map(|pair| (pair.partners, pair.released));
+            facets.iter().filter(|pair| pair.facets.is_empty()).map(|pair| (pair.partners, pair.released()));
         let all = released(contact, &found)?.into_iter().chain(without_facets);
         for gone in all.filter(|(_, energy)| *energy > 0.0) {
             heat_of_released(gone, &step.slip, &contact.mesh.surface, &mut add);

@@ -31,13 +31,18 @@ pub(super) fn wearing<'a, const D: usize>(
     coords: &'a Points<D>,
     measured: &Measured<D>,
 ) -> Result<Option<(Sliding<'a, D>, [f64; 2])>, Error> {
-    let Contact { partners, history, .. } = contact;
-    let Some(coefficients) = partners.table.wear(&measured.pair.partners) else { return Ok(None) };
+    let Some(coefficients) = wear_of_step(contact, &measured.pair.partners) else { return Ok(None) };
     let sliding = match sliding(contact, coords, measured)? {
         Some(sliding) => sliding,
-        None => free(history.step()?, coords),
+        None => free(contact.history.step()?, coords),
     };
-    Ok(Some((sliding, coefficients.map(|coefficient| coefficient * history.wear_cycles))))
+    Ok(Some((sliding, coefficients)))
+}
+
+/// What the sides of a pair wear by, all cycles of the step together; `None` where neither does.
+pub(super) fn wear_of_step<const D: usize>(contact: &Contact<D>, pair: &[Partner; 2]) -> Option<[f64; 2]> {
+    let coefficients = contact.partners.table.wear(pair)?;
+    Some(coefficients.map(|coefficient| coefficient * contact.history.wear_cycles))
 }
 
 /// How a pair slides of which a side wears, and that has no friction, once a step has begun.
@@ -62,6 +67,8 @@ fn free<'a, const D: usize>(step: &'a Step<D>, coords: &'a Points<D>) -> Sliding
         material: coords.material(),
         bearings: None,
         is_by_depth: false,
+        stiffer: 1.0,
+        pulled: 1.0,
     }
 }
 
@@ -82,24 +89,37 @@ fn sliding_of<'a, const D: usize>(
     let now = partners.bearing_rule(pair, method.options(), mesh.hashes());
     let bearings = history.bearings.as_ref().and_then(|bearings| bearings.of(pair, now));
     let is_by_depth = law.initial_stiffness().is_some();
+    let stiffness = partners.stiffness_of(pair, method.options());
+    let since = history.bearings.as_ref().filter(|_| is_by_depth);
+    let [stiffer, kept] = since.map_or([1.0; 2], |begun| begun.stiffer(pair, stiffness, history.stiffened));
+    let pulled = if friction.has_stiffness_of_law() { kept / stiffer } else { 1.0 };
     let orthotropy = partners.orthotropy_of(pair, method.options());
-    Ok(Some(Sliding { friction, orthotropy, stick, step, material: None, bearings, is_by_depth }))
+    Ok(Some(Sliding { friction, orthotropy, stick, step, material: None, bearings, is_by_depth, stiffer, pulled }))
 }
 
-/// The pairs that were in contact when the step began and are not any more, with the energy that was stored in them; `found` are those that
+/// The pairs that were in contact when the step began and are not any more, with how each slid; `found` are those that
 /// are.
-pub(crate) fn released<const D: usize>(
-    contact: &Contact<D>,
+pub(super) fn gone<'a, const D: usize>(
+    contact: &'a Contact<D>,
     found: &[[Partner; 2]],
-) -> Result<Vec<([Partner; 2], f64)>, Error> {
+) -> Result<Vec<([Partner; 2], Sliding<'a, D>)>, Error> {
     let Contact { partners, method, history, .. } = contact;
     let Some(step) = &history.step else { return Ok(Vec::new()) };
     let mut pairs: Vec<[Partner; 2]> = step.slip.keys().map(|(pair, ..)| *pair).collect();
     pairs.dedup();
     pairs.retain(|pair| !found.contains(pair) && partners.has(pair, method.options()));
-    let energy = |pair: [Partner; 2]| {
-        let sliding = sliding_of(contact, &pair, partners.law_of(&pair, method))?;
-        Ok((pair, sliding.map_or(0.0, |sliding| sliding.released(pair, |_, _| false))))
+    let sliding = |pair: [Partner; 2]| {
+        Ok(sliding_of(contact, &pair, partners.law_of(&pair, method))?.map(|sliding| (pair, sliding)))
     };
-    pairs.into_iter().map(energy).collect()
+    pairs.into_iter().filter_map(|pair| sliding(pair).transpose()).collect()
+}
+
+/// The same with the energy that was stored in them.
+pub(crate) fn released<const D: usize>(
+    contact: &Contact<D>,
+    found: &[[Partner; 2]],
+) -> Result<Vec<([Partner; 2], f64)>, Error> {
+    let energy =
+        |(pair, sliding): ([Partner; 2], Sliding<D>)| (pair, sliding.bore(pair).map(|(.., energy)| energy).sum());
+    Ok(gone(contact, found)?.into_iter().map(energy).collect())
 }

@@ -2,7 +2,7 @@
 
 use super::parts::Contact;
 use super::points::Points;
-use super::sliding::{check_ready, wearing};
+use super::sliding::{check_ready, gone, wear_of_step, wearing};
 use super::walk::for_each_pair;
 use crate::Error;
 use crate::contact::friction::{SlipFacets, Tractions};
@@ -34,7 +34,16 @@ pub(super) fn worn_off_in<const D: usize>(contact: &Contact<D>, coords: &Points<
         facets.worn_off((measured.pair, &sliding), &answer.points, coefficients, |facet, point, volume| {
             found.push(WornOff { facet, point, volume });
         });
-        Ok(Some(found))
+        Ok(Some((measured.pair.partners, found)))
     })?;
-    Ok(by_pair.into_iter().flatten().collect())
+    let (pairs, mut found): (Vec<_>, Vec<_>) = by_pair.into_iter().unzip();
+    for (pair, sliding) in gone(contact, &pairs)? {
+        let Some(coefficients) = wear_of_step(contact, &pair) else { continue };
+        let mut of_pair = Vec::new();
+        sliding.worn_off_before((pair, &contact.mesh.surface), coefficients, |facet, point, volume| {
+            of_pair.push(WornOff { facet, point, volume });
+        });
+        found.push(of_pair);
+    }
+    Ok(found.into_iter().flatten().collect())
 }

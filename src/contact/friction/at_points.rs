@@ -90,7 +90,7 @@ impl<const D: usize> SlipFacets<D> {
                         mean,
                         traction: traction.value,
                         slip: facet.trial - traction.elastic,
-                        slid_by_pressure: facet.slid_by_pressure(&traction),
+                        way: facet.way(&traction),
                         sliding: f64::from(u8::from(traction.slides)),
                     },
                 );
@@ -111,8 +111,8 @@ pub(super) struct Share<const D: usize> {
     /// By which the first side is held back.
     traction: Vector<D>,
     slip: Vector<D>,
-    /// The way, by the mean of the pressure meanwhile over that at the end.
-    pub(super) slid_by_pressure: f64,
+    /// The way by which its pressure now wears what the step did.
+    pub(super) way: f64,
     /// 1 where the facet slides, else 0.
     sliding: f64,
 }

@@ -1,7 +1,6 @@
 //! What is carried from one step to the next: the elastic slip of every slider, one for each facet and what it faces.
 
 use super::carriers::SliderName;
-use super::touch::FacetBearings;
 use crate::Error;
 use crate::geometry::Vector;
 use crate::overlap::Partner;
@@ -91,20 +90,4 @@ pub(crate) fn carried_slip<const D: usize>(slip: Vector<D>) -> Carried<D> {
 
 fn carried_by<const D: usize>(one: &FacetSlip<D>) -> Carried<D> {
     Carried { slip: Vector::from(one.slip), slid: one.slid }
-}
-
-/// Energy by stiffness of the sliders of a pair that carried slip into the step, and whose facets are not in contact any more: what
-/// `is_found` does not hold of. The area is that on which they bore when the step began, if that is known.
-pub(crate) fn released<const D: usize>(
-    carried: &CarriedSlip<D>,
-    bearings: &FacetBearings,
-    pair: [Partner; 2],
-    is_found: impl Fn(bool, usize) -> bool,
-) -> f64 {
-    let of_pair = carried.range((pair, false, 0)..=(pair, true, usize::MAX));
-    let gone = of_pair.filter(|((_, of_b, facet), _)| !is_found(*of_b, *facet));
-    let bore = |(name, carried): (&SliderName, &Carried<D>)| {
-        bearings.get(name).map_or(0.0, |bearing| 0.5 * bearing.area * bearing.whole * carried.slip.norm_squared())
-    };
-    gone.map(bore).sum()
 }

@@ -14,6 +14,13 @@
 use super::slip_facets::{Before, SlipFacet};
 use super::traction::{Stick, Traction};
 
+/// Whether a coefficient that falls counts, beside the pressure.
+#[derive(Clone, Copy, PartialEq)]
+enum Falls {
+    Also,
+    Not,
+}
+
 impl<const D: usize> SlipFacet<D> {
     /// Energy taken out, by the area in contact now; never negative. The traction acts for the whole step, though of it only the part φ
     /// counts: what slides does so at the limit for all of it.
@@ -22,38 +29,49 @@ impl<const D: usize> SlipFacet<D> {
     pub(crate) fn dissipated(&self, traction: &Traction<D>) -> f64 {
         let Stick::Spring(stiffness) = self.slider.stick else { return traction.dissipated };
         let Traction { stored, dissipated, .. } = *traction;
-        let Before { slip, part, area, .. } = self.before;
-        let carried = 0.5 * stiffness * slip.norm_squared();
         if self.is_frozen {
-            let lost = carried * (area - part * part).max(0.0);
+            let Before { slip, part, area, .. } = self.before;
+            let lost = 0.5 * stiffness * slip.norm_squared() * (area - part * part).max(0.0);
             let by_part = if self.counted > 0.0 { (stored + dissipated) / self.counted - stored } else { dissipated };
             return lost + by_part;
         }
+        self.taken_out(traction, stiffness, self.mean_limit(traction, stiffness, Falls::Also))
+    }
+
+    /// How far it slid, by what was taken out meanwhile over the limit of now: times the pressure of now, ∫ p |ds| with all that comes into
+    /// contact and leaves it.
+    pub(super) fn way(&self, traction: &Traction<D>) -> f64 {
+        let Stick::Spring(stiffness) = self.slider.stick else { return self.trial.norm() };
+        if !traction.slides {
+            return 0.0;
+        }
+        let limit = self.slider.limit * self.part_of_limit(traction);
+        // As its coefficient falls a facet slides against more than its pressure by the coefficient of now.
+        let falls = if self.weakening_slip > 0.0 { Falls::Not } else { Falls::Also };
+        let work = self.taken_out(traction, stiffness, self.mean_limit(traction, stiffness, falls));
+        if limit > 0.0 { work / limit } else { 0.0 }
+    }
+
+    fn taken_out(&self, traction: &Traction<D>, stiffness: f64, mean_limit: f64) -> f64 {
+        let Traction { stored, dissipated, .. } = *traction;
+        let Before { slip, part, area, .. } = self.before;
+        let carried = 0.5 * stiffness * slip.norm_squared();
         let kept = carried * part * part;
         let lost = if area > 1.0 {
             0.5 * stiffness * (area - 1.0) * slip.dot(&traction.elastic).max(0.0)
         } else {
             carried * area - kept
         };
-        let slid = dissipated * self.mean_limit(traction, stiffness);
+        let slid = dissipated * mean_limit;
         // Area that touches within the step is pulled by a part of its slip only.
         let grown = |counted: f64| slid / counted + part * (1.0 / counted - 1.0) * (stored - kept);
         (lost + if self.counted > 0.0 { grown(self.counted) } else { slid }).max(0.0)
     }
 
-    /// How far it slid, by the mean of the pressure meanwhile over that at the end: as the limit, where that falls by nothing else.
-    pub(super) fn slid_by_pressure(&self, traction: &Traction<D>) -> f64 {
-        let slid = (self.trial - traction.elastic).norm();
-        match self.slider.stick {
-            Stick::Spring(stiffness) if self.weakening_slip == 0.0 => slid * self.mean_limit(traction, stiffness),
-            _ => slid,
-        }
-    }
-
     /// Mean of the limit while the facet slides, by that at the end: until it is reached the facet sticks, and it changes evenly. 1 where it
     /// is not known what the limit was.
-    fn mean_limit(&self, traction: &Traction<D>, stiffness: f64) -> f64 {
-        let Before { slip, part, area, limit, .. } = self.before;
+    fn mean_limit(&self, traction: &Traction<D>, stiffness: f64, falls: Falls) -> f64 {
+        let Before { slip, part, area, limit, pulled, .. } = self.before;
         let along = self.trial - traction.elastic;
         let slid = along.norm();
         // In the direction of the slip.
@@ -62,10 +80,12 @@ impl<const D: usize> SlipFacet<D> {
         let Some(limit) = limit.filter(|_| slid > 0.0 && at_end > 0.0).map(|limit| limit * by_direction) else {
             return 1.0;
         };
-        let carried = slip.dot(&along) / slid;
+        let carried = pulled * slip.dot(&along) / slid;
         let stuck = (limit / (stiffness * area.max(1.0)) - part * carried).max(0.0);
-        // With a coefficient that falls it slid by more than now.
-        let limit = limit.max(stiffness * area * carried);
+        // With a coefficient that falls it slid by more than now, and on a surface that was worn off before a load was back.
+        let pull = stiffness * area * carried;
+        let pull = if falls == Falls::Not { pull.min(at_end) } else { pull };
+        let limit = limit.max(pull);
         1.0 - 0.5 * (1.0 - limit / at_end) * slid / (slid + stuck)
     }
 }

@@ -11,8 +11,9 @@ impl<const D: usize> SlipFacets<D> {
     /// those that are in it.
     pub(crate) fn heat(&self, of_first: f64, mut add: impl FnMut(u32, f64)) {
         let area: f64 = self.facets.iter().map(|facet| facet.area).sum();
+        let released = self.released();
         for (facet, rows, traction) in self.tractions() {
-            let energy = facet.area * (facet.dissipated(&traction) + self.released / area);
+            let energy = facet.area * (facet.dissipated(&traction) + released / area);
             let of_side = |of_b: bool| {
                 let weights = rows.iter().filter(move |row| row.of_b == of_b && !row.mover.turns);
                 // A row is the shape function of its node, and negative on the second side.

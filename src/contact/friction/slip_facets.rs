@@ -28,8 +28,18 @@ pub(crate) struct SlipFacets<const D: usize> {
     pub(crate) facets: Vec<SlipFacet<D>>,
     /// What moves the facets against the other side, one after the other.
     pub(crate) rows: Vec<Row<D>>,
-    /// Energy that was stored in facets that are not in contact any more, and that they took as they slid out of it.
-    pub(crate) released: f64,
+    /// Facets that bore when the step began and do not now.
+    pub(crate) gone: Vec<Gone>,
+}
+
+/// A facet that is not in contact any more.
+#[derive(Clone, Copy)]
+pub(crate) struct Gone {
+    /// Index within the surface.
+    pub(crate) facet: usize,
+    pub(crate) of_b: bool,
+    /// That was stored in it, and that it took as it slid out.
+    pub(crate) energy: f64,
 }
 
 /// A facet on which friction acts.
@@ -81,6 +91,8 @@ pub(crate) struct Before<const D: usize> {
     pub(crate) limit: Option<f64>,
     /// How far it had slid since it rested.
     pub(crate) slid: f64,
+    /// What the elastic slip pulled with, by what it does with the stiffness of now.
+    pub(crate) pulled: f64,
 }
 
 impl<const D: usize> SlipFacets<D> {
@@ -93,27 +105,33 @@ impl<const D: usize> SlipFacets<D> {
             add_point(&mut of_facets, pair, sliding, point, obstacle_node, &mut last);
         }
         let (facets, bore) = (Vec::with_capacity(of_facets.len()), of_facets.values().map(Sums::bore).sum());
-        let mut all = Self { partners: pair.partners, facets, rows: Vec::new(), released: 0.0 };
+        let mut all = Self { partners: pair.partners, facets, rows: Vec::new(), gone: Vec::new() };
         for ((of_b, facet), sums) in of_facets {
             all.add(pair, sliding, (of_b, facet), sums);
         }
-        let is_found =
-            |of_b, facet| all.facets.binary_search_by_key(&(of_b, facet), |one| (one.of_b, one.facet)).is_ok();
-        all.released = sliding.released(pair.partners, is_found) + all.left(sliding, &bore, is_found);
+        all.gone = all.left(sliding, &bore);
         all
     }
 
-    /// Dissipated by facets that bore when the step began and do not now: they slid as the others, while their limit fell to nothing.
-    fn left(&self, sliding: &Sliding<D>, bore: &Bore, is_found: impl Fn(bool, usize) -> bool) -> f64 {
+    /// Facets that bore when the step began and do not now: they slid as the others, while their limit fell to nothing.
+    fn left(&self, sliding: &Sliding<D>, bore: &Bore) -> Vec<Gone> {
         let slides = self.tractions().filter(|(_, _, traction)| traction.slides);
         let slid: f64 =
             slides.map(|(facet, _, t)| facet.area * (facet.trial - t.elastic).norm() * facet.part_of_limit(&t)).sum();
-        let is_known = sliding.is_by_depth && slid > 0.0;
-        let (Stick::Spring(_), Some(bearings), true) = (sliding.stick, sliding.bearings, is_known) else { return 0.0 };
-        let of_pair = bearings.range((self.partners, false, 0)..=(self.partners, true, usize::MAX));
-        let gone = of_pair.filter(|((_, of_b, facet), _)| !is_found(*of_b, *facet));
-        let limit: f64 = gone.map(|(_, before)| bore.limit_before(before)).sum();
-        0.5 * limit * (slid / bore.area)
+        let is_found =
+            |of_b, facet| self.facets.binary_search_by_key(&(of_b, facet), |one| (one.of_b, one.facet)).is_ok();
+        let gone = sliding.bore(self.partners).filter(|((_, of_b, facet), ..)| !is_found(*of_b, *facet));
+        gone.map(|(&(_, of_b, facet), before, stored)| {
+            let is_known = sliding.is_by_depth && slid > 0.0;
+            let slid_out = if is_known { 0.5 * bore.limit_before(&before) * (slid / bore.area) } else { 0.0 };
+            Gone { facet, of_b, energy: stored + slid_out }
+        })
+        .collect()
+    }
+
+    /// What those took that left.
+    pub(crate) fn released(&self) -> f64 {
+        self.gone.iter().map(|gone| gone.energy).sum()
     }
 
     fn add(&mut self, pair: &Pair<D>, sliding: &Sliding<D>, (of_b, facet): (bool, u32), sums: Sums<D>) -> Option<()> {
@@ -130,20 +148,22 @@ impl<const D: usize> SlipFacets<D> {
             Stick::Spring(_) => {
                 let name = (pair.partners, of_b, in_surface);
                 let bore = sliding.bearing(&name);
-                let touch = bore.map_or(Touch::WHOLE, |bore| Touch::new(bore, bearing, sums.approach / sums.area));
+                let approach = sums.approach / sums.area;
+                let touch = bore.map_or(Touch::WHOLE, |(bore, less)| Touch::new(bore, bearing, approach + less));
                 let none = Carried { slip: Vector::zeros(), slid: 0.0 };
                 let Carried { slip, slid } = sliding.step.slip.get(&name).copied().unwrap_or(none);
                 let slip = tangential(deformation * slip) * sign;
-                let area = bore.map_or(1.0, |bore| bore.area / bearing.area);
+                let area = bore.map_or(1.0, |(bore, _)| bore.area / bearing.area);
                 // Of a pressure that is one for a whole pair no facet tells what it was.
                 let known = bore.filter(|_| sliding.is_by_depth);
-                let limit = known.map(|bore| sums.bore().limit_before(&bore) / sums.area);
-                (touch, Before { slip, deformation, part: touch.carried, area, limit, slid })
+                let limit = known.map(|(bore, _)| sums.bore().limit_before(&bore) / sums.area);
+                let pulled = sliding.pulled;
+                (touch, Before { slip, deformation, part: touch.carried, area, limit, slid, pulled })
             }
             // Of which only the slip of the step counts, as a speed.
             Stick::Memoryless(_) => {
                 let slip = Vector::zeros();
-                (Touch::WHOLE, Before { slip, deformation, part: 1.0, area: 1.0, limit: None, slid: 0.0 })
+                (Touch::WHOLE, Before { slip, deformation, part: 1.0, area: 1.0, limit: None, slid: 0.0, pulled: 1.0 })
             }
         };
         let slip = sums.slip / sums.area;

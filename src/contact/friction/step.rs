@@ -1,6 +1,6 @@
 //! The state at the start of a step.
 
-use super::carried::{CarriedSlip, released};
+use super::carried::CarriedSlip;
 use super::carriers::SliderName;
 use super::moved_out::{Material, MovedOut};
 use super::options::Friction;
@@ -83,12 +83,23 @@ pub(crate) struct Sliding<'a, const D: usize> {
     pub(crate) bearings: Option<&'a FacetBearings>,
     /// Whether the pressure grows with the depth.
     pub(crate) is_by_depth: bool,
+    /// How many times as stiff the pair is as then.
+    pub(crate) stiffer: f64,
+    /// What elastic slip that is carried pulled with then, by what it does with the stiffness of now.
+    pub(crate) pulled: f64,
 }
 
 impl<const D: usize> Sliding<'_, D> {
-    /// How a facet bore when the step began; `None` where that is not known.
-    pub(crate) fn bearing(&self, facet: &SliderName) -> Option<Bearing> {
-        self.bearings.map(|bearings| bearings.get(facet).copied().unwrap_or_default())
+    /// How a facet bore when the step began, with the pressure of then by the stiffness of now, and by how much less deep that is; `None`
+    /// where it is not known.
+    pub(crate) fn bearing(&self, facet: &SliderName) -> Option<(Bearing, f64)> {
+        self.bearings.map(|bearings| bearings.get(facet).copied().unwrap_or_default().by_stiffer(self.stiffer))
+    }
+
+    /// The same of all facets of a pair that bore.
+    pub(crate) fn bearings_of(&self, pair: [Partner; 2]) -> impl Iterator<Item = (&SliderName, Bearing)> {
+        let of_pair = self.bearings.map(|bearings| bearings.range((pair, false, 0)..=(pair, true, usize::MAX)));
+        of_pair.into_iter().flatten().map(|(name, bearing)| (name, bearing.by_stiffer(self.stiffer).0))
     }
 
     /// Coefficient of a facet, which falls as it slides.
@@ -101,13 +112,16 @@ impl<const D: usize> Sliding<'_, D> {
         }
     }
 
-    /// Energy that was stored in the sliders of a pair when the step began, and whose facets are not in contact any more.
-    pub(crate) fn released(&self, pair: [Partner; 2], is_found: impl Fn(bool, usize) -> bool) -> f64 {
-        match (self.stick, self.bearings) {
-            (Stick::Spring(stiffness), Some(bearings)) => {
-                stiffness * released(&self.step.slip, bearings, pair, is_found)
-            }
-            _ => 0.0,
-        }
+    /// The facets of a pair that bore when the step began, with the energy that was stored in their sliders; none without memory.
+    pub(crate) fn bore(&self, pair: [Partner; 2]) -> impl Iterator<Item = (&SliderName, Bearing, f64)> {
+        let stiffness = match self.stick {
+            Stick::Spring(stiffness) => Some(stiffness),
+            Stick::Memoryless(_) => None,
+        };
+        let all = stiffness.map(|stiffness| self.bearings_of(pair).map(move |one| (one, stiffness)));
+        all.into_iter().flatten().map(|((name, bearing), stiffness)| {
+            let slip = self.step.slip.get(name).map_or(0.0, |carried| carried.slip.norm_squared());
+            (name, bearing, 0.5 * stiffness * bearing.area * bearing.whole * slip)
+        })
     }
 }

@@ -23,6 +23,15 @@ pub(crate) struct Bearing {
     pub(crate) whole: f64,
 }
 
+impl Bearing {
+    /// How it bears with the same pressure by what is `stiffer` by a factor, and by how much less deep that is.
+    pub(crate) fn by_stiffer(self, stiffer: f64) -> (Self, f64) {
+        let depth = self.depth / stiffer;
+        let less = if self.area > 0.0 { (self.depth - depth) / self.area } else { 0.0 };
+        (Self { depth, ..self }, less)
+    }
+}
+
 /// All facets that bear, by their pair, their side and their number in the surface.
 pub(crate) type FacetBearings = BTreeMap<SliderName, Bearing>;
 

@@ -120,7 +120,7 @@ impl<const D: usize> Tractions<D> {
                 scratch.add_blocks(facet, (rows, number), (&traction, part), &mut blocks);
             }
         }
-        totals.dissipated += slipping.released;
+        totals.dissipated += slipping.released();
         let (nodes, of_b, forces) = sums.into_nodes();
         let tangent = Tangent { blocks: blocks.into_blocks(), rank_one: Vec::new() };
         let (partners, undirected) = (slipping.partners, slipping.undirected());

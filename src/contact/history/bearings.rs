@@ -3,21 +3,38 @@
 use crate::contact::friction::{FacetBearings, SlipFacets};
 use crate::contact::partners::{BearingRule, BearingRules};
 use crate::overlap::Partner;
+use std::collections::BTreeMap;
 
 /// What was measured, and by which rules: of a pair that bears by others now nothing is known.
 #[derive(Clone)]
 pub(crate) struct Bearings {
     of_facets: FacetBearings,
+    /// Stiffness k by which the pairs pressed, and the factor by which the contact had been made stiffer.
+    stiffness: BTreeMap<[Partner; 2], f64>,
+    stiffened: f64,
     rules: BearingRules,
     /// Obstacles with numbers from here on came later, and bore nothing.
     obstacle_count: usize,
 }
 
 impl Bearings {
-    pub(crate) fn new<const D: usize>(pairs: &[SlipFacets<D>], rules: BearingRules, obstacle_count: usize) -> Self {
+    pub(crate) fn new<const D: usize>(
+        pairs: &[SlipFacets<D>],
+        (stiffness_of, stiffened): (impl Fn(&[Partner; 2]) -> f64, f64),
+        rules: BearingRules,
+        obstacle_count: usize,
+    ) -> Self {
         let mut of_facets = FacetBearings::new();
         pairs.iter().for_each(|pair| pair.add_bearings(&mut of_facets));
-        Self { of_facets, rules, obstacle_count }
+        let stiffness = pairs.iter().map(|pair| (pair.partners, stiffness_of(&pair.partners))).collect();
+        Self { of_facets, stiffness, stiffened, rules, obstacle_count }
+    }
+
+    /// How many times as stiff a pair is as when the step began, if its stiffness is `now`, and how many times of that by
+    /// [`stiffen`](crate::Contact::stiffen).
+    pub(crate) fn stiffer(&self, pair: &[Partner; 2], now: f64, stiffened: f64) -> [f64; 2] {
+        let then = self.stiffness.get(pair).filter(|then| **then > 0.0 && now > 0.0);
+        then.map_or([1.0; 2], |then| [now / then, stiffened / self.stiffened])
     }
 
     /// Those of the facets that bore, if the pair bears by the same rule `now`.

@@ -14,7 +14,8 @@ impl<const D: usize> Contact<D> {
     /// dA / ∫ N dA, so that the volume is ∫ K p |s| dA. Within a step surfaces do not change, and forces and tangents are those of one
     /// energy as before. Where a step begins, the worn surface turns with its facets.
     ///
-    /// Slip is that of friction without its elastic part; of a pair without friction all of it, since [`Self::begin_step`].
+    /// Slip is that of friction without its elastic part; of a pair without friction all of it, since [`Self::begin_step`]. With friction ∫ p |s| dA is
+    /// its work over the coefficient, facet by facet, where facets come into contact and leave it too.
     ///
     /// # Errors
     /// [`Error::NoStep`] where worn facets were set and no step has begun; [`Error::Unsupported`] for a mesh in parts.
