@@ -202,7 +202,8 @@ typedef enum {
   FMC_ERROR_MEMORY = 65,
   // Two bodies are tied, and face one another nowhere within reach.
   FMC_ERROR_UNTIED = 66,
-  // The law of the host on an interface failed, or left a number that is not finite; or its derivative is none (`fmc_own_law_check`).
+  // The law of the host on an interface or of friction failed, or left a number that is not finite; or its derivative is none
+  // (`fmc_own_law_check`, `fmc_friction_law_check`).
   FMC_ERROR_INTERFACE_LAW = 67,
 } fmc_status;
 
@@ -1137,6 +1138,100 @@ typedef struct {
   uint64_t reserved[4];
 } fmc_own_law;
 
+// The facets of a pair at which a law of friction of the host is asked, of both sides, as far as they bear. All numbers of a facet follow one
+// another. Nothing of it may be written, or read after the call.
+//
+// New fields take the place of reserved ones; the size of the struct does not change.
+typedef struct {
+  // Size of this struct, as the library wrote it.
+  size_t struct_size;
+  // How many facets there are, at least 1.
+  size_t count;
+  // Dimension, 2 or 3.
+  size_t dim;
+  // Numbers of the history of a facet.
+  size_t history_count;
+  // The pair: index of a body, and of what it touches; 0 and 1 in `fmc_friction_law_check`.
+  size_t body;
+  // See `body`.
+  size_t partner;
+  // `fmc_partner`: the partner is a body, then not before `body`, or an obstacle.
+  int32_t partner_kind;
+  // Zero.
+  int32_t unused;
+  // How long the step takes (`fmc_context_set_time_step`); 0: nothing was said.
+  double time_step;
+  // Stiffness k_T of the stick, a pressure by length; 0: friction without memory.
+  double stiffness;
+  // Places of the facets in `fmc_context_boundary_facets`, from 0, (count).
+  const size_t *facet;
+  // Mean pressures over the area in contact, positive, (count).
+  const double *pressure;
+  // Lengths, (count, dim - 1): how far `body` has slipped against `partner` since the step began, along the axes, elastic or not.
+  const double *slip;
+  // Lengths, (count, dim - 1): the elastic slip if nothing slid in the step. Where its length times `stiffness` is beyond the limit, the facet
+  // slides by the rest.
+  const double *trial;
+  // Axes in space, by rows, (count, dim - 1, dim), of length 1. In 2D the normal, out of `body`, turned by +90 degrees. In 3D the first is the
+  // x axis projected into the facet (the z axis, where the normal is within 6 degrees of x); the second is normal x first. They do not turn
+  // along with the material.
+  const double *axes;
+  // Where the tractions act, (count, dim).
+  const double *position;
+  // Areas for which the facets stand, (count): where two bodies meet, each side has half of the area in contact.
+  const double *area;
+  // (count, history_count), as it was accepted last (`fmc_context_commit_step`); 0 at the first touch.
+  const double *history;
+  // Number of fields (`fmc_context_set_law_fields`).
+  size_t field_count;
+  // Means of the fields over the facet on `body`, then on `partner`, (count, 2, field_count); NaN on an obstacle.
+  const double *fields;
+  // Zero.
+  uint64_t reserved[4];
+} fmc_friction_facets;
+
+// Where a law of friction of the host writes what it answers.
+//
+// New fields take the place of reserved ones; the size of the struct does not change.
+typedef struct {
+  // Size of this struct, as the library wrote it.
+  size_t struct_size;
+  // Tractions at which the facets slide, force by area, at least 0, (count). An entry that is left unwritten counts as not finite.
+  double *limit;
+  // Their derivatives by the pressure, with slip, history and time step held, (count). An entry that is left unwritten counts as not finite.
+  double *by_pressure;
+  // Their derivatives by the slip, the trial going along with it, (count, dim - 1). 0 at first.
+  double *by_slip;
+  // The history as it would be after a step that ends here, (count, history_count). At first it is what it was.
+  double *history;
+  // Zero.
+  uint64_t reserved[4];
+} fmc_friction_response;
+
+// A law of friction of the host: writes the limits of all facets of a pair in `response`. `user` is the pointer given with it.
+//
+// Return 0; any other value makes the call of the library fail with `FMC_ERROR_INTERFACE_LAW`, naming facet i of the call for the value i + 1.
+// It is called on the thread that evaluates, never from two threads at once, one pair after the other, ascending; where ranks share the work on
+// every rank for all facets. The same input must have the same answer, bit by bit. It must not call a function of the same context (it would
+// get `FMC_ERROR_BUSY`), throw, or jump out.
+typedef int32_t (*fmc_limit_friction)(void *user, const fmc_friction_facets *at, const fmc_friction_response *response);
+
+// A law of friction of the host. `fmc_friction_law_init` sets all of it.
+//
+// New fields take the place of reserved ones; the size of the struct does not change.
+typedef struct {
+  // Set by `fmc_friction_law_init`, so that a struct that was not initialised is recognised.
+  size_t struct_size;
+  // How many numbers a facet carries from step to step for each of those that it faces. Default 0.
+  size_t history_count;
+  // The law. It and `user` must outlive the context, or the pair's options, if others are set before.
+  fmc_limit_friction limit;
+  // Passed to `limit`.
+  void *user;
+  // Zero. Room for options of later versions.
+  uint64_t reserved[4];
+} fmc_friction_law;
+
 // Sets the options of a pair to what it has without options of its own: the law of the context, not left out.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`. Threads: any, on different structs.
@@ -1295,6 +1390,45 @@ fmc_status fmc_context_set_law_pair(fmc_context *context,
                                     size_t b,
                                     const fmc_pair_options *options,
                                     const fmc_own_law *law);
+
+// Sets a law of friction without a function and without history.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`. Threads: any, on different structs.
+fmc_status fmc_friction_law_init(fmc_friction_law *law);
+
+// Checks a law of friction without a context: whether the same question has the same answer, each facet alone and beside others, and whether its
+// derivatives are those of its limit, by differences to 1e-6. Corners of a law are recognised.
+//
+// It is asked at 60 pressures up to `pressure`, and slips of a step up to `slip`, a length, along every axis; differences have steps of 1e-6 of
+// these. The history is 0, and then what other facets leave. `time_step` 0: none is said. There are no fields.
+//
+// `tell` may be NULL; else it gets a sentence for everything that was looked at, with level `FMC_LOG_WARNING` for what is wrong, else 0.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_STRUCT_SIZE`, `FMC_ERROR_RESERVED_FIELD`, `FMC_ERROR_BAD_VALUE` for a `history_count` above
+// 1048576, `FMC_ERROR_DIMENSION`, `FMC_ERROR_NOT_POSITIVE`; `FMC_ERROR_INTERFACE_LAW` for a law that fails, answers what is no limit, or is
+// wrong, with all that is wrong in the text. Threads: any.
+fmc_status fmc_friction_law_check(const fmc_friction_law *law,
+                                  size_t dim,
+                                  double pressure,
+                                  double slip,
+                                  double time_step,
+                                  fmc_log_callback tell,
+                                  void *user);
+
+// Sets the options of a pair as `fmc_context_set_pair_options` does, two bodies, a body and an obstacle, or a body with itself, and the law by
+// which it slides in place of a coefficient, a cohesion and a shear limit. What the law keeps begins with zeros.
+// `fmc_context_set_pair_options` takes the law back. As with any friction the tangent is unsymmetric, and a step must have begun.
+//
+// Errors: those of `fmc_context_set_pair_options`; those of a law as `fmc_friction_law_check` has them before it asks; `FMC_ERROR_UNSUPPORTED`
+// beside a coefficient of friction or a wear coefficient of the pair, another interface than contact, and for a mesh in parts. What was set before then
+// stays. Threads: one call at a time on a context.
+fmc_status fmc_context_set_friction_law_pair(fmc_context *context,
+                                             int32_t a_kind,
+                                             size_t a,
+                                             int32_t b_kind,
+                                             size_t b,
+                                             const fmc_pair_options *options,
+                                             const fmc_friction_law *law);
 
 // ---- Evaluate: forces and what belongs to them -----------------------------------------------------------
 
@@ -3147,6 +3281,27 @@ fmc_status fmc_context_slip(const fmc_context *context,
 fmc_status fmc_context_set_slip(fmc_context *context,
                                 const double *slip,
                                 size_t count);
+
+// What laws of friction of the host keep after the steps that were accepted (`fmc_context_commit_step`): for each row of `fmc_context_slip`, in its
+// order, as many numbers as the law of its pair has, none without a law. With the slip it is all that a restart needs of them.
+//
+// `count` becomes how many numbers there are; `history` has room for `capacity`. NULL with capacity 0: that alone is asked for.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_NO_STEP`, `FMC_ERROR_BUSY`; nothing is written then. Threads:
+// several at once on one context, as long as no call changes it.
+fmc_status fmc_context_friction_history(const fmc_context *context,
+                                        double *history,
+                                        size_t capacity,
+                                        size_t *count);
+
+// Sets it, for a restart: `count` numbers, as `fmc_context_friction_history` writes them, after `fmc_context_set_slip` with the rows that they
+// belong to.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_LENGTH` for another number of them, `FMC_ERROR_NOT_POSITIVE` for what is not finite,
+// `FMC_ERROR_NO_STEP`, `FMC_ERROR_BUSY`; the old one then stays. Threads: one call at a time on a context.
+fmc_status fmc_context_set_friction_history(fmc_context *context,
+                                            const double *history,
+                                            size_t count);
 
 // What all points of cohesive interfaces have been through in the steps that were accepted (`fmc_context_commit_step`), in the order of
 // `fmc_context_cohesive_points`: two numbers for each, its damage, 0 to 1, and the energy by area that it has dissipated. With the

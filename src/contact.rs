@@ -35,7 +35,10 @@ pub use evaluation::Contact;
 pub(crate) use evaluation::{Needed, hash_in_common, needed};
 pub use explicit::{Accuracy, largest_eigenvalue};
 pub use flux::{Conductance, ContactFlux, FluxRequest};
-pub use friction::{FacetSlip, Friction, FrictionTotals, OrthotropicFriction, StaticFriction};
+pub use friction::{
+    FacetSlip, Friction, FrictionFacets, FrictionLaw, FrictionLawCheck, FrictionLawReport, FrictionResponse,
+    FrictionTotals, OrthotropicFriction, StaticFriction, check_friction_law,
+};
 pub use governed::LawPoint;
 pub use history::Multiplier;
 pub use interface::{FrictionStep, contact_force, contact_force_step};

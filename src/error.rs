@@ -1,13 +1,11 @@
 //! What can go wrong, one variant per cause, holding the facts; the sentence lives in `Display`.
-
 mod checks;
 mod counted;
 mod law_fault;
 mod map_point;
 mod memory;
 mod text;
-
-pub use law_fault::LawFault;
+pub use law_fault::{FrictionFault, LawFault};
 pub use map_point::MapPoint;
 
 /// Cause of a failure. After any error, the object that was called is as it was before the call.
@@ -335,6 +333,8 @@ pub enum Error {
     },
     /// The law of the host on an interface failed, or answered with a number that is not finite.
     InterfaceLaw(LawFault),
+    /// The law of friction of the host failed, or answered with what is no limit.
+    FrictionLaw(FrictionFault),
     /// The pattern would need more fibers or crossings than can be counted; the spacing is too small for the bodies.
     TooManyFibers {
         /// Number that would be needed.

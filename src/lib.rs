@@ -37,7 +37,7 @@ pub mod sparse;
 mod capi;
 
 pub use contact::{Contact, ContactForces, EnergyLaw, EnergyProfile, Options, PenetrationLaw, contact_force};
-pub use error::{Error, LawFault, MapPoint};
+pub use error::{Error, FrictionFault, LawFault, MapPoint};
 pub use geometry::{
     Basis, Bodies, BoundaryFacet, CellBlock, CellType, FacetBlock, FacetType, HeightField, Measures, Obstacle,
     PointWeights, Pose, Shape, ShapeKind, SignedDistance, Surface,

@@ -25,6 +25,7 @@ module fmc_contact
   ! Procedures of the type: their names remain the host's.
   private :: from_cells, from_blocks, from_facets, take, free, set_options, set_pair_options, set_orthotropic_pair, &
              set_ppr_pair, set_law_pair, law_history, set_law_history, set_law_fields, &
+             set_friction_law_pair, friction_history, set_friction_history, &
              set_reference, set_interrupt, &
              set_symmetry_planes, set_symmetry_nodes, set_surface_smoothing, set_basis, &
              evaluate, tangent, evaluate_tangent, stable_step, body, &
@@ -33,7 +34,7 @@ module fmc_contact
              keep_patches, begin_step, commit_step, freeze_friction, slip, set_slip, nodal_contact, &
              set_pair_wear, worn_depth, worn_volumes, worn_facets, set_worn_facets, set_wear_cycles, &
              contact_points, gap_constraints, tie, tie_nodes, augment, multipliers, set_multipliers, boundary_facets, placed, &
-             unplaced, view, onto, law_of, checked, copy_text, copied, finished
+             unplaced, view, onto, law_of, friction_law_of, checked, copy_text, copied, finished
 
   ! Bodies in contact with one another and with obstacles. Given back when it goes out of scope; it cannot be copied.
   type :: contact
@@ -43,6 +44,7 @@ module fmc_contact
     procedure :: from_cells, from_blocks, from_facets, free
     procedure :: set_options, set_pair_options, set_orthotropic_pair, set_ppr_pair
     procedure :: set_law_pair, law_history, set_law_history, set_law_fields
+    procedure :: set_friction_law_pair, friction_history, set_friction_history
     procedure :: set_reference, set_symmetry_planes, set_symmetry_nodes, set_basis
     procedure :: set_surface_smoothing
     procedure :: set_interrupt
@@ -256,6 +258,65 @@ contains
     integer, intent(out), optional :: stat
     call checked(fmc_context_set_law_history(self%handle, history, size(history, kind=c_size_t)), stat)
   end subroutine
+
+  ! The same with your own law of friction, a function bind(c) of interface fmc_limit_friction; every facet keeps history_count numbers for
+  ! each of those that it faces. Arrays of its structs come by c_f_pointer, with shapes [dim - 1, count] and the like.
+  subroutine set_friction_law_pair(self, a_kind, a, b_kind, b, options, limit, history_count, user, stat)
+    class(contact), intent(inout) :: self
+    integer(c_int32_t), intent(in) :: a_kind, b_kind
+    integer, intent(in) :: a, b
+    type(fmc_pair_options), intent(in) :: options
+    procedure(fmc_limit_friction) :: limit
+    integer, intent(in), optional :: history_count
+    type(c_ptr), intent(in), optional :: user
+    integer, intent(out), optional :: stat
+    call checked(fmc_context_set_friction_law_pair(self%handle, a_kind, int(a - 1, c_size_t), b_kind, int(b - 1, c_size_t), &
+                                                   options, friction_law_of(limit, history_count, user)), stat)
+  end subroutine
+
+  ! What laws of friction keep after the steps that were committed, in the order of the slip (fmc_context_friction_history).
+  subroutine friction_history(self, history, stat)
+    class(contact), intent(in) :: self
+    real(c_double), intent(out), allocatable :: history(:)
+    integer, intent(out), optional :: stat
+    integer(c_int32_t) :: status
+    integer(c_size_t) :: count
+    count = 0
+    status = fmc_context_friction_history(self%handle, capacity=0_c_size_t, count=count)
+    allocate (history(count))
+    if (status == FMC_OK) status = fmc_context_friction_history(self%handle, history, count)
+    call checked(status, stat)
+  end subroutine
+
+  subroutine set_friction_history(self, history, stat)
+    class(contact), intent(inout) :: self
+    real(c_double), intent(in), contiguous :: history(:)
+    integer, intent(out), optional :: stat
+    call checked(fmc_context_set_friction_history(self%handle, history, size(history, kind=c_size_t)), stat)
+  end subroutine
+
+  ! Whether your own law of friction is one, by differences up to this pressure and slip (fmc_friction_law_check).
+  subroutine check_friction_law(limit, dim, pressure, slip, time_step, history_count, user, stat)
+    procedure(fmc_limit_friction) :: limit
+    integer, intent(in) :: dim
+    real(c_double), intent(in) :: pressure, slip, time_step
+    integer, intent(in), optional :: history_count
+    type(c_ptr), intent(in), optional :: user
+    integer, intent(out), optional :: stat
+    call checked(fmc_friction_law_check(friction_law_of(limit, history_count, user), int(dim, c_size_t), pressure, slip, &
+                                        time_step, tell=c_null_funptr, user=c_null_ptr), stat)
+  end subroutine
+
+  function friction_law_of(limit, history_count, user) result(law)
+    procedure(fmc_limit_friction) :: limit
+    integer, intent(in), optional :: history_count
+    type(c_ptr), intent(in), optional :: user
+    type(fmc_friction_law) :: law
+    call checked(fmc_friction_law_init(law))
+    law%limit = c_funloc(limit)
+    if (present(history_count)) law%history_count = int(history_count, c_size_t)
+    if (present(user)) law%user = user
+  end function
 
   ! Fields that your own laws are asked with, a column for every node (fmc_context_set_law_fields).
   subroutine set_law_fields(self, values, stat)

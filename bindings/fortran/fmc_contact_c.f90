@@ -364,6 +364,47 @@ module fmc_contact_c
     integer(c_int64_t) :: reserved(4)
   end type
 
+  type, bind(c) :: fmc_friction_facets
+    integer(c_size_t) :: struct_size
+    integer(c_size_t) :: count
+    integer(c_size_t) :: dim
+    integer(c_size_t) :: history_count
+    integer(c_size_t) :: body
+    integer(c_size_t) :: partner
+    integer(c_int32_t) :: partner_kind
+    integer(c_int32_t) :: unused
+    real(c_double) :: time_step
+    real(c_double) :: stiffness
+    type(c_ptr) :: facet
+    type(c_ptr) :: pressure
+    type(c_ptr) :: slip
+    type(c_ptr) :: trial
+    type(c_ptr) :: axes
+    type(c_ptr) :: position
+    type(c_ptr) :: area
+    type(c_ptr) :: history
+    integer(c_size_t) :: field_count
+    type(c_ptr) :: fields
+    integer(c_int64_t) :: reserved(4)
+  end type
+
+  type, bind(c) :: fmc_friction_response
+    integer(c_size_t) :: struct_size
+    type(c_ptr) :: limit
+    type(c_ptr) :: by_pressure
+    type(c_ptr) :: by_slip
+    type(c_ptr) :: history
+    integer(c_int64_t) :: reserved(4)
+  end type
+
+  type, bind(c) :: fmc_friction_law
+    integer(c_size_t) :: struct_size
+    integer(c_size_t) :: history_count
+    type(c_funptr) :: limit
+    type(c_ptr) :: user
+    integer(c_int64_t) :: reserved(4)
+  end type
+
   type, bind(c) :: fmc_result
     integer(c_size_t) :: struct_size
     real(c_double) :: volume
@@ -809,6 +850,13 @@ module fmc_contact_c
       type(fmc_law_response), intent(in) :: response
       integer(c_int32_t) :: fmc_respond
     end function
+    function fmc_limit_friction(user, at, response) bind(c)
+      import
+      type(c_ptr), value :: user
+      type(fmc_friction_facets), intent(in) :: at
+      type(fmc_friction_response), intent(in) :: response
+      integer(c_int32_t) :: fmc_limit_friction
+    end function
     function fmc_place(user, n, displacement, coords) bind(c)
       import
       type(c_ptr), value :: user
@@ -1158,6 +1206,33 @@ module fmc_contact_c
       type(fmc_pair_options), intent(in), optional :: options
       type(fmc_own_law), intent(in), optional :: law
       integer(c_int32_t) :: fmc_context_set_law_pair
+    end function
+    function fmc_friction_law_init(law) bind(c)
+      import
+      type(fmc_friction_law), intent(inout), optional :: law
+      integer(c_int32_t) :: fmc_friction_law_init
+    end function
+    function fmc_friction_law_check(law, dim, pressure, slip, time_step, tell, user) bind(c)
+      import
+      type(fmc_friction_law), intent(in), optional :: law
+      integer(c_size_t), value :: dim
+      real(c_double), value :: pressure
+      real(c_double), value :: slip
+      real(c_double), value :: time_step
+      type(c_funptr), value :: tell
+      type(c_ptr), value :: user
+      integer(c_int32_t) :: fmc_friction_law_check
+    end function
+    function fmc_context_set_friction_law_pair(context, a_kind, a, b_kind, b, options, law) bind(c)
+      import
+      type(c_ptr), value :: context
+      integer(c_int32_t), value :: a_kind
+      integer(c_size_t), value :: a
+      integer(c_int32_t), value :: b_kind
+      integer(c_size_t), value :: b
+      type(fmc_pair_options), intent(in), optional :: options
+      type(fmc_friction_law), intent(in), optional :: law
+      integer(c_int32_t) :: fmc_context_set_friction_law_pair
     end function
     function fmc_context_evaluate(context, coords, forces, flags, result) bind(c)
       import
@@ -1771,6 +1846,21 @@ module fmc_contact_c
       real(c_double), intent(in), optional :: slip(*)
       integer(c_size_t), value :: count
       integer(c_int32_t) :: fmc_context_set_slip
+    end function
+    function fmc_context_friction_history(context, history, capacity, count) bind(c)
+      import
+      type(c_ptr), value :: context
+      real(c_double), intent(inout), optional :: history(*)
+      integer(c_size_t), value :: capacity
+      integer(c_size_t), intent(inout), optional :: count
+      integer(c_int32_t) :: fmc_context_friction_history
+    end function
+    function fmc_context_set_friction_history(context, history, count) bind(c)
+      import
+      type(c_ptr), value :: context
+      real(c_double), intent(in), optional :: history(*)
+      integer(c_size_t), value :: count
+      integer(c_int32_t) :: fmc_context_set_friction_history
     end function
     function fmc_context_damage(context, damage, capacity, count) bind(c)
       import

@@ -28,6 +28,24 @@ contains
     distance = 0
   end function
 
+  ! Your own law of friction: 0.3 p, and the number of steps.
+  integer(c_int32_t) function rub(user, at, response) bind(c)
+    type(c_ptr), value :: user
+    type(fmc_friction_facets), intent(in) :: at
+    type(fmc_friction_response), intent(in) :: response
+    real(c_double), pointer :: coefficient, pressure(:), before(:), limit(:), by_pressure(:), steps(:)
+    call c_f_pointer(user, coefficient)
+    call c_f_pointer(at%pressure, pressure, [at%count])
+    call c_f_pointer(at%history, before, [at%count])
+    call c_f_pointer(response%limit, limit, [at%count])
+    call c_f_pointer(response%by_pressure, by_pressure, [at%count])
+    call c_f_pointer(response%history, steps, [at%count])
+    limit = coefficient*pressure
+    by_pressure = coefficient
+    steps = before + 1
+    rub = 0
+  end function
+
   ! Your own law of an interface: springs, and how far they have opened at most.
   integer(c_int32_t) function springs(user, at, response) bind(c)
     type(c_ptr), value :: user
@@ -66,12 +84,12 @@ contains
     real(c_double), parameter :: k = 1d5, depth = 0.01d0
     real(c_double) :: x(2, 8), y(2, 8), forces(2, 8), there(2, 8), pressure(8), normal(2, 8), masses(8), change(2, 8)
     real(c_double), allocatable :: values(:), carried(:, :), carried_law(:), depths(:), volumes(:), worn(:, :)
-    real(c_double), target :: height = 0
+    real(c_double), target :: height = 0, coefficient = 0.3d0
     real(c_double) :: all_of(16), by(16), kept(2, 8), ring(2, 8), apart(2, 8), pulled(2, 8)
     integer :: conn(4, 2) = reshape([1, 2, 3, 4, 5, 6, 7, 8], [4, 2]), quarters(3, 4), index, stat, row
     integer(c_int32_t) :: status(8)
     integer(c_int32_t), allocatable :: row_offsets(:), cols(:)
-    type(contact) :: squares, block, disc, bonded
+    type(contact) :: squares, block, disc, bonded, rubbing
     type(fmc_pair_options) :: own
     type(fmc_options) :: options
     type(fmc_result) :: found
@@ -236,6 +254,27 @@ contains
     call expect("history that was set", maxval(abs(carried_law - 0.125d0)), 0d0, 1d-15)
     call bonded%set_law_history(carried_law(2:), stat)
     call expect("too short a history", real(stat, c_double), real(FMC_ERROR_LENGTH, c_double), 0d0)
+
+    ! Your own law of friction between two squares, the second 0.01 deep in the first and shifted along it by 0.1.
+    call rubbing%from_cells(x, FMC_QUAD4, conn, contact_options(k))
+    call expect("init", real(fmc_pair_options_init(own), c_double), 0d0, 0d0)
+    call check_friction_law(rub, 2, 1d3, 1d0, 0d0, history_count=1, user=c_loc(coefficient))
+    call rubbing%set_friction_law_pair(FMC_PARTNER_BODY, 1, FMC_PARTNER_BODY, 2, own, rub, history_count=1, &
+                                       user=c_loc(coefficient))
+    call rubbing%begin_step(x)
+    apart = x
+    apart(2, 5:8) = apart(2, 5:8) + 0.1d0
+    call rubbing%evaluate(apart, pulled)
+    body = rubbing%body(2)
+    call expect("friction by your own law", body%friction(2), -0.3d0*body%force(1), 1d-2*body%force(1))
+    call rubbing%commit_step(apart)
+    call rubbing%friction_history(carried_law)
+    call expect("steps that facets counted", maxval(abs(carried_law - 1)), 0d0, 0d0)
+    call rubbing%set_friction_history(2*carried_law)
+    call rubbing%friction_history(carried_law)
+    call expect("steps that were set", maxval(abs(carried_law - 2)), 0d0, 0d0)
+    call rubbing%set_friction_history(carried_law(2:), stat)
+    call expect("too short a history of friction", real(stat, c_double), real(FMC_ERROR_LENGTH, c_double), 0d0)
 
     ! Errors: what is wrong is named, and nothing has changed.
     conn(3, 2) = 9

@@ -46,6 +46,23 @@ struct LawResponse {
 // Your own law of an interface: all entries of traction and tangent have to be written. See `fmc_respond`.
 using InterfaceLaw = std::function<void(const LawPoints &points, const LawResponse &response)>;
 
+// Facets of a pair at which your own law of friction is asked, with the shapes that `fmc_friction_facets` says.
+struct FrictionFacets {
+  std::size_t count, dim, history_count, field_count, body, partner;
+  int32_t partner_kind;
+  double time_step, stiffness;
+  View<const std::size_t> facet;
+  View<const double> pressure, slip, trial, axes, position, area, history, fields;
+};
+
+// Where your own law of friction writes its answer, as `fmc_friction_response` says.
+struct FrictionResponse {
+  View<double> limit, by_pressure, by_slip, history;
+};
+
+// Your own law of friction: all entries of limit and by_pressure have to be written. See `fmc_limit_friction`.
+using FrictionLaw = std::function<void(const FrictionFacets &facets, const FrictionResponse &response)>;
+
 namespace detail {
 
 struct PlaceCall {
@@ -69,6 +86,7 @@ struct DistanceCall;
 struct LogCall;
 struct InterruptCall;
 struct LawCall;
+struct FrictionLawCall;
 using Distances = std::vector<std::unique_ptr<DistanceCall>>;
 
 // The functions of one context, and what one of them has thrown in the call that is running.
@@ -80,6 +98,8 @@ struct Callbacks {
   std::map<std::size_t, Distances> distances;
   // Of every pair of bodies that has one, the lower first.
   std::map<std::pair<std::size_t, std::size_t>, std::unique_ptr<LawCall>> laws;
+  // By kind and index of both partners.
+  std::map<std::pair<std::pair<int32_t, std::size_t>, std::pair<int32_t, std::size_t>>, std::unique_ptr<FrictionLawCall>> friction_laws;
 
   void rethrow() {
     if (thrown) std::rethrow_exception(std::exchange(thrown, nullptr));
@@ -166,7 +186,53 @@ struct LawCall {
   }
 };
 
+struct FrictionLawCall {
+  FrictionLaw function;
+  std::exception_ptr *thrown;
+
+  static int32_t run(void *user, const fmc_friction_facets *facets, const fmc_friction_response *response) noexcept {
+    auto &self = *static_cast<FrictionLawCall *>(user);
+    const auto &of = *facets;
+    const auto &to = *response;
+    const auto n = of.count, across = n * (of.dim - 1), kept = n * of.history_count;
+    try {
+      self.function({n, of.dim, of.history_count, of.field_count, of.body, of.partner, of.partner_kind, of.time_step, of.stiffness,
+                     {of.facet, n}, {of.pressure, n}, {of.slip, across}, {of.trial, across}, {of.axes, across * of.dim},
+                     {of.position, n * of.dim}, {of.area, n}, {of.history, kept}, {of.fields, 2 * n * of.field_count}},
+                    {{to.limit, n}, {to.by_pressure, n}, {to.by_slip, across}, {to.history, kept}});
+      return 0;
+    } catch (...) {
+      *self.thrown = std::current_exception();
+      return -1;
+    }
+  }
+
+  fmc_friction_law as_c(std::size_t history_count) {
+    fmc_friction_law law;
+    check(fmc_friction_law_init(&law));
+    law.history_count = history_count, law.limit = run, law.user = this;
+    return law;
+  }
+};
+
+// Keeps the sentences of a check.
+inline void keep_sentence(void *user, int32_t, const char *text) { static_cast<std::vector<std::string> *>(user)->emplace_back(text); }
+
 }  // namespace detail
+
+// Sentences on your own law of friction: whether the same question has the same answer, and whether its derivatives are those of its limit, up to
+// this pressure and this slip. What is wrong is thrown as `Error`. See `fmc_friction_law_check`.
+inline std::vector<std::string> check_friction_law(FrictionLaw law, std::size_t history_count, std::size_t dim, double pressure, double slip,
+                                                   double time_step = 0) {
+  std::exception_ptr thrown;
+  detail::FrictionLawCall call{std::move(law), &thrown};
+  const auto given = call.as_c(history_count);
+  std::vector<std::string> sentences;
+  const auto status = fmc_friction_law_check(&given, dim, pressure, slip, time_step, detail::keep_sentence, &sentences);
+  if (thrown) std::rethrow_exception(thrown);
+  check(status);
+  return sentences;
+}
 
 // Sentences on your own law: whether the same question has the same answer, and whether its tangent is the derivative of its traction, at jumps
 // of this scale. What is wrong is thrown as `Error`. See `fmc_own_law_check`.
@@ -176,10 +242,9 @@ inline std::vector<std::string> check_law(InterfaceLaw law, std::size_t history_
   detail::LawCall call{std::move(law), &thrown};
   const auto given = call.as_c(history_count);
   std::vector<std::string> sentences;
-  const auto tell = [](void *user, int32_t, const char *text) { static_cast<std::vector<std::string> *>(user)->emplace_back(text); };
   const auto each = static_cast<std::size_t>(dim);
   if (dim < 2 || jump.size() % each != 0) detail::refuse(FMC_ERROR_LENGTH, "jump has one number for every axis of a point");
-  const auto status = fmc_own_law_check(&given, each, scale, jump.data(), jump.size() / each, time_step, tell, &sentences);
+  const auto status = fmc_own_law_check(&given, each, scale, jump.data(), jump.size() / each, time_step, detail::keep_sentence, &sentences);
   if (thrown) std::rethrow_exception(thrown);
   check(status);
   return sentences;

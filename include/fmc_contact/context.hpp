@@ -553,6 +553,23 @@ class Context : public AddsShapes<Context> {
     call(fmc_context_set_law_pair(get(), FMC_PARTNER_BODY, a, FMC_PARTNER_BODY, b, &options, &given));
     place = std::move(next);
   }
+  // The same with your own law of friction; every facet keeps `history_count` numbers for each of those that it faces.
+  void set_friction_law_pair(Partner a, Partner b, const PairOptions &options, FrictionLaw law, std::size_t history_count = 0) {
+    auto next = std::make_unique<detail::FrictionLawCall>(detail::FrictionLawCall{std::move(law), &callbacks_->thrown});
+    const auto given = next->as_c(history_count);
+    // The place first: once the library has the pointer, nothing may fail.
+    const std::pair<int32_t, std::size_t> one{a.kind, a.index}, other{b.kind, b.index};
+    auto &place = callbacks_->friction_laws[std::minmax(one, other)];
+    call(fmc_context_set_friction_law_pair(get(), a.kind, a.index, b.kind, b.index, &options, &given));
+    place = std::move(next);
+  }
+  // What laws of friction keep after the steps that were committed, in the order of the slip.
+  std::vector<double> friction_history() const {
+    return detail::rows<double>([&](auto... room) { return fmc_context_friction_history(get(), room...); });
+  }
+  void set_friction_history(View<const double> history) {
+    call(fmc_context_set_friction_history(get(), history.data(), history.size()));
+  }
   // Fields that your own laws are asked with, (rows of coordinates, field_count).
   void set_law_fields(View<const double> values, std::size_t field_count) {
     const auto each = field_count == 0 ? 1 : field_count;

@@ -11,6 +11,7 @@ pub(super) mod csr;
 pub(super) mod equilibrium;
 pub(super) mod equilibrium_result;
 pub(super) mod evaluation;
+pub(super) mod friction_law;
 pub(super) mod gap_constraint;
 pub(super) mod gradients;
 pub(super) mod in_parts;

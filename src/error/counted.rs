@@ -58,6 +58,7 @@ impl Error {
             | Error::NoSuchNumber { array: _, entry: _, number: _ }
             | Error::BadEntry { array: _, entry: _, value: _ }
             | Error::InterfaceLaw(_)
+            | Error::FrictionLaw(_)
             | Error::NoSuchRow { list: _, row: _, what: _ }
             | Error::DegenerateHull { point_count: _ }
             | Error::TooFewHeights { axis: _, count: _ }

@@ -10,3 +10,14 @@ pub struct LawFault {
     /// What the law said, or what it answered.
     pub cause: String,
 }
+
+/// A law of friction of the host that failed, or answered with what is no limit.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct FrictionFault {
+    /// Both sides of the pair, each `"body"` or `"obstacle"` with its index.
+    pub sides: [(&'static str, usize); 2],
+    /// Boundary facet, where it is one.
+    pub facet: Option<usize>,
+    /// What the law said, or what it answered.
+    pub cause: String,
+}

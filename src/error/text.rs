@@ -1,6 +1,6 @@
 //! The texts of errors.
 
-use super::{Error, LawFault, MapPoint};
+use super::{Error, FrictionFault, LawFault, MapPoint};
 use std::fmt;
 
 impl std::error::Error for Error {}
@@ -180,6 +180,11 @@ impl fmt::Display for Error {
             Error::InterfaceLaw(LawFault { bodies: [a, b], point, cause }) => {
                 write!(f, "the law of the interface of bodies {a} and {b}")?;
                 point.map_or(Ok(()), |point| write!(f, ", at point {point}"))?;
+                write!(f, ": {cause}")
+            }
+            Error::FrictionLaw(FrictionFault { sides: [(kind, a), (other, b)], facet, cause }) => {
+                write!(f, "the law of friction of {kind} {a} and {other} {b}")?;
+                facet.map_or(Ok(()), |facet| write!(f, ", at facet {facet}"))?;
                 write!(f, ": {cause}")
             }
             Error::SignedDistance { obstacle, point } => {

@@ -48,6 +48,8 @@ pub(crate) const SECTIONS: [Section; 21] = [
             "calls/options/ppr_pair",
             "structs/own_law",
             "calls/options/own_law_pair",
+            "structs/friction_law",
+            "calls/options/friction_law_pair",
         ],
     ),
     (
@@ -103,7 +105,16 @@ pub(crate) const SECTIONS: [Section; 21] = [
         ],
     ),
     ("Wear", &["calls/steps/wear"]),
-    ("Restart", &["calls/steps/slip", "calls/steps/damage", "calls/steps/law_history", "calls/steps/multipliers"]),
+    (
+        "Restart",
+        &[
+            "calls/steps/slip",
+            "calls/steps/friction_history",
+            "calls/steps/damage",
+            "calls/steps/law_history",
+            "calls/steps/multipliers",
+        ],
+    ),
     (
         "Ranks, and a mesh in parts",
         &[

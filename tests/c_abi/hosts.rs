@@ -121,6 +121,27 @@ fn a_law_of_the_host_in_c() {
     );
 }
 
+/// min((0.25 + 0.25 exp(−v/2)) p, 8) on a side of length 1 under the pressure 64 d, by hand; less the elastic slip at the end.
+#[test]
+fn a_law_of_friction_of_the_host_in_c() {
+    let printed = output("friction_law.c", Link::Shared);
+    let lines: Vec<&str> = printed.lines().collect();
+    let [answers, derivatives, steps @ ..] = &lines[..] else { panic!("{printed}") };
+    assert!(
+        answers.starts_with("answers: ") && derivatives.starts_with("derivatives: those of the limit"),
+        "{printed}"
+    );
+    assert_eq!(steps.len(), 3, "{printed}");
+    let limit = |speed: f64, pressure: f64| ((0.25 + 0.25 * (-speed / 2.0).exp()) * pressure).min(8.0);
+    let mut way = 0.0;
+    for (line, (speed, depth)) in steps.iter().zip([(1.0, 0.25), (4.0, 0.25), (4.0, 0.5)]) {
+        way += 0.5 * speed;
+        let (pressure, friction) = (64.0 * depth, limit(speed, 64.0 * depth));
+        let slid = way - friction / 64.0;
+        assert_eq!(*line, format!("speed {speed:.0}  normal {pressure:.6}  friction {friction:.6}  slid {slid:.6}"));
+    }
+}
+
 #[test]
 fn arrays_of_cpp_hosts_in_any_container() {
     assert_eq!(output("arrays.cpp", Link::Shared), "0 failures\n");

@@ -529,6 +529,59 @@ void a_mesh_in_parts() {
   EXPECT(refused(FMC_ERROR_UNSUPPORTED, "not gathered", [&] { parts.set_carried_slip(std::vector<fmc_carried_slip>{{7, 0, 0, 0, 0, 1, {}, 0}}); }));
 }
 
+// A law of friction of our own that repeats the coefficient, and counts steps.
+void friction_by_our_own_law() {
+  fmc::Options options(1e3);
+  options.friction_coefficient = 0.3;
+  const auto placed = [](double by) {
+    return Numbers{-0.5, -2, 1.5, -2, 1.5, 0, -0.5, 0, by, -1e-3, 1 + by, -1e-3, 1 + by, 0.999, by, 0.999};
+  };
+  const auto reference = placed(0);
+  const auto limit = [](const fmc::FrictionFacets &facets, const fmc::FrictionResponse &response) {
+    for (std::size_t i = 0; i < facets.count; ++i) {
+      response.limit[i] = 0.3 * facets.pressure[i];
+      response.by_pressure[i] = 0.3;
+      response.history[i] = facets.history[i] + 1;
+    }
+  };
+  fmc::Context lawful(2, reference, {{FMC_QUAD4, quads}}, fmc::Options(1e3));
+  lawful.set_friction_law_pair(fmc::Partner::body(1), fmc::Partner::body(0), fmc::PairOptions(), limit, 1);
+  fmc::Context plain(2, reference, {{FMC_QUAD4, quads}}, options);
+  lawful.begin_step(reference);
+  plain.begin_step(reference);
+  Numbers by_law(16), by_library(16);
+  lawful.evaluate(placed(1e-3), by_law);
+  plain.evaluate(placed(1e-3), by_library);
+  for (std::size_t i = 0; i < 16; ++i) EXPECT(close(by_law[i], by_library[i], 1e-13));
+  lawful.commit_step(placed(1e-3));
+  auto rubbed = lawful.friction_history();
+  EXPECT(rubbed == Numbers(lawful.slip().size() / 8, 1.0) && !rubbed.empty());
+  rubbed[0] = 5;
+  lawful.set_friction_history(rubbed);
+  EXPECT(lawful.friction_history() == rubbed);
+  EXPECT(refused(FMC_ERROR_LENGTH, "history", [&] { lawful.set_friction_history({1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0}); }));
+  fmc::PairOptions rubs;
+  rubs.friction_coefficient = 0.2;
+  EXPECT(refused(FMC_ERROR_UNSUPPORTED, "beside your own law of friction",
+                 [&] { lawful.set_friction_law_pair(fmc::Partner::body(0), fmc::Partner::body(1), rubs, limit, 1); }));
+  EXPECT(fmc::check_friction_law(limit, 1, 2, 1.0, 1.0).size() == 2);
+  const auto wrong = [&](const fmc::FrictionFacets &facets, const fmc::FrictionResponse &response) {
+    limit(facets, response);
+    response.by_pressure[0] = 0.2;
+  };
+  EXPECT(refused(FMC_ERROR_INTERFACE_LAW, "the derivative of the limit by the pressure is given as 2",
+                 [&] { fmc::check_friction_law(wrong, 1, 3, 1.0, 1.0); }));
+  const auto throws = [](const fmc::FrictionFacets &, const fmc::FrictionResponse &) { throw 7; };
+  lawful.set_friction_law_pair(fmc::Partner::body(0), fmc::Partner::body(1), fmc::PairOptions(), throws);
+  int thrown = 0;
+  try {
+    lawful.evaluate(placed(1e-3));
+  } catch (int number) {
+    thrown = number;
+  }
+  EXPECT(thrown == 7);
+}
+
 void friction_and_patches() {
   fmc::Options options(1e3);
   options.friction_coefficient = 0.3;
@@ -712,6 +765,7 @@ int main() try {
   forces_and_getters();
   tangents();
   a_mesh_in_parts();
+  friction_by_our_own_law();
   friction_and_patches();
   obstacles();
   condensation();

@@ -38,6 +38,25 @@ impl Host {
                 _ => checked(fmc_context_slip(self.context, unless(hole, 1, slip.ptr()), length, std::ptr::null_mut())),
             };
         }
+        self.friction_history(hole);
+    }
+
+    /// What laws of friction keep, which is put back.
+    fn friction_history(&mut self, hole: Hole) {
+        let mut count = 77;
+        // SAFETY: a living context or NULL, and as many numbers as each call says.
+        unsafe {
+            let at = unless(hole, 2, &raw mut count);
+            if checked(fmc_context_friction_history(self.context, null_mut(), 0, at)) != OK || hole == 2 {
+                assert_eq!(count, 77);
+                return;
+            }
+            let history = Guarded::new(&vec![0.0; count]);
+            assert_eq!(checked(fmc_context_friction_history(self.context, history.ptr(), count, null_mut())), OK);
+            let given = unless(hole, 3, history.ptr()).cast_const();
+            let status = checked(fmc_context_set_friction_history(self.context, given, count));
+            assert!(status == OK || hole == 3);
+        }
     }
 
     /// What was worn off, set as it is told, and as no call tells it.

@@ -104,8 +104,58 @@ impl Host {
                     checked(fmc_context_set_law_pair(context, a_kind, a, b_kind, b, &raw const options, given));
                 assert!(if status == OK { found() == (OK, options) } else { found() == before });
             }
+            if from.law % 8 == 7 {
+                set_friction_law_pair(context, from, [(a_kind, a), (b_kind, b)], (&options, hole));
+            }
         }
     }
+}
+
+/// The same options with a law of friction: refused, all is as it was.
+///
+/// # Safety
+/// `context` is the host's own, or NULL.
+unsafe fn set_friction_law_pair(
+    context: *mut fmc_context,
+    from: &PairOptions,
+    [(a_kind, a), (b_kind, b)]: [(i32, usize); 2],
+    (options, hole): (&fmc_pair_options, Hole),
+) {
+    // SAFETY: structs of the header's size.
+    unsafe {
+        let mut law = std::mem::MaybeUninit::<fmc_friction_law>::zeroed().assume_init();
+        assert_eq!(fmc_friction_law_init(&raw mut law), OK);
+        law.history_count = usize::from(from.excluded % 3);
+        law.limit = Some(rub);
+        let given = unless(hole, 1, &raw mut law).cast_const();
+        let (dim, scale) = (usize::from(from.excluded % 5), from.stiffness.0);
+        checked(fmc_friction_law_check(given, dim, scale, scale, 0.1, None, std::ptr::null_mut()));
+        checked(fmc_context_set_friction_law_pair(context, a_kind, a, b_kind, b, std::ptr::from_ref(options), given));
+    }
+}
+
+/// A law of friction of the host: a coefficient that falls with the slip, or what is no number under large pressures.
+///
+/// # Safety
+/// The library passes arrays as long as it says.
+unsafe extern "C" fn rub(
+    _: *mut c_void,
+    facets: *const fmc_friction_facets,
+    response: *const fmc_friction_response,
+) -> i32 {
+    // SAFETY: as above.
+    unsafe {
+        let (of, to) = (&*facets, &*response);
+        for facet in 0..of.count {
+            let pressure = *of.pressure.add(facet);
+            to.limit.add(facet).write(if pressure > 1e9 { f64::NAN } else { 0.3 * pressure });
+            to.by_pressure.add(facet).write(0.3);
+            for place in facet * of.history_count..(facet + 1) * of.history_count {
+                to.history.add(place).write(*of.history.add(place) + 1.0);
+            }
+        }
+    }
+    0
 }
 
 /// A law of the host: springs, with the largest opening, or what is no number where they are pulled far apart.

@@ -201,6 +201,8 @@ pub type fmc_signed_distance = Option<unsafe extern "C" fn(user: *mut c_void, n:
 
 pub type fmc_respond = Option<unsafe extern "C" fn(user: *mut c_void, at: *const fmc_law_points, response: *const fmc_law_response) -> i32>;
 
+pub type fmc_limit_friction = Option<unsafe extern "C" fn(user: *mut c_void, at: *const fmc_friction_facets, response: *const fmc_friction_response) -> i32>;
+
 pub type fmc_place = Option<unsafe extern "C" fn(user: *mut c_void, n: usize, displacement: *const f64, coords: *mut f64) -> i32>;
 
 pub type fmc_all_gather = Option<unsafe extern "C" fn(user: *mut c_void, send: *const c_void, counts: *const u64, received: *mut c_void) -> i32>;
@@ -414,6 +416,53 @@ pub struct fmc_own_law {
     pub struct_size: usize,
     pub history_count: usize,
     pub respond: fmc_respond,
+    pub user: *mut c_void,
+    pub reserved: [u64; 4],
+}
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct fmc_friction_facets {
+    pub struct_size: usize,
+    pub count: usize,
+    pub dim: usize,
+    pub history_count: usize,
+    pub body: usize,
+    pub partner: usize,
+    pub partner_kind: i32,
+    pub unused: i32,
+    pub time_step: f64,
+    pub stiffness: f64,
+    pub facet: *const usize,
+    pub pressure: *const f64,
+    pub slip: *const f64,
+    pub trial: *const f64,
+    pub axes: *const f64,
+    pub position: *const f64,
+    pub area: *const f64,
+    pub history: *const f64,
+    pub field_count: usize,
+    pub fields: *const f64,
+    pub reserved: [u64; 4],
+}
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct fmc_friction_response {
+    pub struct_size: usize,
+    pub limit: *mut f64,
+    pub by_pressure: *mut f64,
+    pub by_slip: *mut f64,
+    pub history: *mut f64,
+    pub reserved: [u64; 4],
+}
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default)]
+pub struct fmc_friction_law {
+    pub struct_size: usize,
+    pub history_count: usize,
+    pub limit: fmc_limit_friction,
     pub user: *mut c_void,
     pub reserved: [u64; 4],
 }
@@ -946,6 +995,9 @@ unsafe extern "C" {
     pub fn fmc_own_law_check(law: *const fmc_own_law, dim: usize, scale: f64, jump: *const f64, jump_count: usize, time_step: f64, tell: fmc_log_callback, user: *mut c_void) -> fmc_status;
     pub fn fmc_context_set_law_fields(context: *mut fmc_context, values: *const f64, row_count: usize, field_count: usize) -> fmc_status;
     pub fn fmc_context_set_law_pair(context: *mut fmc_context, a_kind: i32, a: usize, b_kind: i32, b: usize, options: *const fmc_pair_options, law: *const fmc_own_law) -> fmc_status;
+    pub fn fmc_friction_law_init(law: *mut fmc_friction_law) -> fmc_status;
+    pub fn fmc_friction_law_check(law: *const fmc_friction_law, dim: usize, pressure: f64, slip: f64, time_step: f64, tell: fmc_log_callback, user: *mut c_void) -> fmc_status;
+    pub fn fmc_context_set_friction_law_pair(context: *mut fmc_context, a_kind: i32, a: usize, b_kind: i32, b: usize, options: *const fmc_pair_options, law: *const fmc_friction_law) -> fmc_status;
     pub fn fmc_context_evaluate(context: *mut fmc_context, coords: *const fmc_coords, forces: *const fmc_forces, flags: u32, result: *mut fmc_result) -> fmc_status;
     pub fn fmc_context_body_resultant(context: *const fmc_context, index: usize, body: *mut fmc_resultant) -> fmc_status;
     pub fn fmc_context_obstacle_resultant(context: *const fmc_context, index: usize, obstacle: *mut fmc_resultant) -> fmc_status;
@@ -1020,6 +1072,8 @@ unsafe extern "C" {
     pub fn fmc_context_set_wear_cycles(context: *mut fmc_context, cycles: f64) -> fmc_status;
     pub fn fmc_context_slip(context: *const fmc_context, slip: *mut f64, capacity: usize, count: *mut usize) -> fmc_status;
     pub fn fmc_context_set_slip(context: *mut fmc_context, slip: *const f64, count: usize) -> fmc_status;
+    pub fn fmc_context_friction_history(context: *const fmc_context, history: *mut f64, capacity: usize, count: *mut usize) -> fmc_status;
+    pub fn fmc_context_set_friction_history(context: *mut fmc_context, history: *const f64, count: usize) -> fmc_status;
     pub fn fmc_context_damage(context: *const fmc_context, damage: *mut f64, capacity: usize, count: *mut usize) -> fmc_status;
     pub fn fmc_context_set_damage(context: *mut fmc_context, damage: *const f64, count: usize) -> fmc_status;
     pub fn fmc_context_cohesive_history(context: *const fmc_context, history: *mut f64, capacity: usize, count: *mut usize) -> fmc_status;

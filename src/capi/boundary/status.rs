@@ -146,7 +146,8 @@ pub enum fmc_status {
     FMC_ERROR_MEMORY = 65,
     /// Two bodies are tied, and face one another nowhere within reach.
     FMC_ERROR_UNTIED = 66,
-    /// The law of the host on an interface failed, or left a number that is not finite; or its derivative is none (`fmc_own_law_check`).
+    /// The law of the host on an interface or of friction failed, or left a number that is not finite; or its derivative is none
+    /// (`fmc_own_law_check`, `fmc_friction_law_check`).
     FMC_ERROR_INTERFACE_LAW = 67,
 }
 
@@ -267,7 +268,7 @@ impl From<&Error> for fmc_status {
             Error::NoStep => FMC_ERROR_NO_STEP,
             Error::NoStiffness => FMC_ERROR_NO_STIFFNESS,
             Error::Untied { .. } => FMC_ERROR_UNTIED,
-            Error::InterfaceLaw(_) => FMC_ERROR_INTERFACE_LAW,
+            Error::InterfaceLaw(_) | Error::FrictionLaw(_) => FMC_ERROR_INTERFACE_LAW,
             Error::Interrupted => FMC_ERROR_INTERRUPTED,
             Error::Memory { .. } => FMC_ERROR_MEMORY,
             Error::DegenerateHull { .. } => FMC_ERROR_DEGENERATE_HULL,
@@ -377,5 +378,13 @@ mod tests {
         codes.sort_unstable();
         codes.dedup();
         assert_eq!(codes.len(), errors.len());
+    }
+
+    /// A law of the host is one cause, wherever it acts.
+    #[test]
+    fn laws_of_the_host_have_one_status() {
+        let sides = [("body", 0), ("obstacle", 1)];
+        let friction = Error::FrictionLaw(crate::FrictionFault { sides, facet: Some(2), cause: "of this".to_owned() });
+        assert_eq!(fmc_status::from(&friction) as i32, FMC_ERROR_INTERFACE_LAW as i32);
     }
 }

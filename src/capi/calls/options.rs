@@ -2,6 +2,7 @@
 
 pub(super) mod added_ties;
 pub(super) mod context_options;
+pub(super) mod friction_law_pair;
 pub(super) mod interrupt;
 pub(super) mod option_keys;
 pub(super) mod orthotropic_pair;

@@ -4,6 +4,7 @@ pub(super) mod adjustment;
 pub(super) mod augmentation;
 pub(super) mod damage;
 pub(super) mod friction;
+pub(super) mod friction_history;
 pub(super) mod law_history;
 pub(super) mod multipliers;
 pub(super) mod patches;

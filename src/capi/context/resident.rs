@@ -8,6 +8,7 @@
 
 mod cohesive;
 mod flux;
+mod friction_law;
 mod governed;
 mod gradients;
 mod mesh;

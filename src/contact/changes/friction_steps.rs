@@ -4,8 +4,8 @@
 use crate::Error;
 use crate::contact::evaluation::{Contact, kernels, moved_out};
 use crate::contact::friction::{
-    CarriedSlip, Duals, FacetSlip, FrozenFriction, MovedOut, PastPoints, SliderName, SlipFacets, Step, list_slip,
-    slip_of_list,
+    CarriedSlip, Duals, FacetSlip, FrozenFriction, MovedOut, PastPoints, SliderName, SlipFacets, Step, in_order,
+    list_slip, slip_of_list,
 };
 use crate::contact::history::{Bearings, Begun};
 use crate::contact::wear::{Worn, WornFacet};
@@ -84,6 +84,43 @@ pub(crate) fn slip<const D: usize>(contact: &Contact<D>) -> Result<Vec<FacetSlip
 pub(crate) fn set_slip<const D: usize>(contact: &mut Contact<D>, slip: &[FacetSlip<D>]) -> Result<(), Error> {
     let carried = carried_of(contact, slip)?;
     contact.history.set_slip(carried)
+}
+
+/// What laws of friction keep, in the order of the slip.
+pub(crate) fn friction_history<const D: usize>(contact: &Contact<D>) -> Result<Vec<f64>, Error> {
+    let carried = &contact.history.step()?.slip;
+    let mut list = Vec::new();
+    for name in in_order(carried) {
+        let count = history_count(contact, &name);
+        let known = &carried[&name].history;
+        list.extend((0..count).map(|at| known.get(at).copied().unwrap_or(0.0)));
+    }
+    Ok(list)
+}
+
+/// Sets it. On an error nothing has changed.
+pub(crate) fn set_friction_history<const D: usize>(contact: &mut Contact<D>, history: &[f64]) -> Result<(), Error> {
+    let mut carried = contact.history.step()?.slip.clone();
+    let (mut rest, mut expected) = (history, 0);
+    for name in in_order(&carried) {
+        let count = history_count(contact, &name);
+        let (own, others) = rest.split_at(count.min(rest.len()));
+        if let Some(carried) = carried.get_mut(&name) {
+            carried.history = own.to_vec();
+        }
+        (rest, expected) = (others, expected + count);
+    }
+    if history.len() != expected {
+        return Err(Error::Length { array: "history", expected, found: history.len() });
+    }
+    if let Some(entry) = history.iter().position(|x| !x.is_finite()) {
+        return Err(Error::BadEntry { array: "history", entry, value: history[entry] });
+    }
+    contact.history.set_slip(carried)
+}
+
+fn history_count<const D: usize>(contact: &Contact<D>, (pair, ..): &SliderName) -> usize {
+    contact.partners.friction_law(pair).map_or(0, |own| own.count)
 }
 
 /// A list by slider.

@@ -3,6 +3,7 @@
 use super::added_ties;
 use crate::Error;
 use crate::contact::evaluation::Contact;
+use crate::contact::friction::OwnFriction;
 use crate::contact::governed::OwnLaw;
 use crate::contact::mesh::Mesh;
 use crate::contact::method::{Method, Options};
@@ -45,13 +46,13 @@ pub(crate) fn set<const D: usize>(contact: &mut Contact<D>, options: Options) ->
     Ok(())
 }
 
-/// Sets the options of one pair, `None`: those of the contact, with the law of its interface where that is one of the host. On an error the old
+/// Sets the options of one pair, `None`: those of the contact, with the laws of its interface and of its friction where those are of the host. On an error the old
 /// ones stay.
 pub(crate) fn set_pair<const D: usize>(
     contact: &mut Contact<D>,
     partners: [Partner; 2],
     options: Option<PairOptions>,
-    own_law: Option<&OwnLaw>,
+    (own_law, friction_law): (Option<&OwnLaw>, Option<OwnFriction>),
 ) -> Result<(), Error> {
     let pair = contact.partners.checked_pair(partners, contact.mesh.surface.body_count())?;
     let options = if pair == partners { options } else { options.map(PairOptions::swapped) };
@@ -68,11 +69,28 @@ pub(crate) fn set_pair<const D: usize>(
     if options.is_some_and(|options| options.wear_coefficients != [0.0; 2]) {
         contact.mesh.surface.refuse_submesh("a wear coefficient of a mesh in parts")?;
     }
+    let law_before = contact.partners.friction_law(&pair).cloned();
+    let friction_law = match options.is_some_and(|options| options.friction_law) {
+        true => {
+            contact.mesh.surface.refuse_submesh("your own law of friction of a mesh in parts")?;
+            let without = Error::Unsupported { what: "friction by your own law without the law" };
+            Some(friction_law.or_else(|| law_before.clone()).ok_or(without)?)
+        }
+        false => None,
+    };
     let own_before = contact.partners.table.options(&pair);
     contact.partners.set_pair_options(pair, options, &of_contact)?;
     if let Err(error) = set_interface(contact, pair, options, own_law) {
         contact.partners.set_pair_options(pair, own_before, &of_contact)?;
         return Err(error);
+    }
+    let is_same_law = match (&law_before, &friction_law) {
+        (Some(before), Some(now)) => before.is(now),
+        (before, now) => before.is_none() && now.is_none(),
+    };
+    contact.partners.set_friction_law(pair, friction_law);
+    if !is_same_law {
+        contact.history.forget_friction_law(&pair);
     }
     let after = contact.partners.friction_of(&pair, &of_contact);
     let orthotropic = |options: Option<PairOptions>| options.and_then(|own| own.orthotropic);
@@ -81,7 +99,7 @@ pub(crate) fn set_pair<const D: usize>(
         contact.history.leave_out(|partners| *partners == pair);
     } else if !after.is_active() {
         contact.history.release_frozen(|partners| *partners == pair);
-    } else if after != before || orthotropic(own_before) != orthotropic(options) {
+    } else if !is_same_law || after != before || orthotropic(own_before) != orthotropic(options) {
         contact.history.release_friction();
     }
     contact.state.forget_found();

@@ -113,6 +113,11 @@ fn by_coefficient<const D: usize>(
     if !seeds.reaches_friction() {
         return Ok(0.0);
     }
+    if partners.friction_law(pair).is_some() {
+        return Err(Error::Unsupported {
+            what: "the derivative by a coefficient of friction of your own law of friction",
+        });
+    }
     if friction.coefficient.is_infinite() {
         return Err(Error::Unsupported { what: "the derivative by an infinite coefficient of friction" });
     }

@@ -95,6 +95,10 @@ fn check_pair<const D: usize>(
     by_stiffness: bool,
 ) -> Result<bool, Error> {
     let friction = partners.friction_of(pair, method.options());
+    if (by_slip || by_stiffness) && partners.friction_law(pair).is_some() {
+        let what = "derivatives by the stiffness, and by and of the slip between steps, with your own law of friction";
+        return Err(Error::Unsupported { what });
+    }
     if by_slip && friction.at_rest.is_some() {
         let what = "derivatives by and of the slip between steps with static friction, which carries more than slip";
         return Err(Error::Unsupported { what });

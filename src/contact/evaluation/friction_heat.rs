@@ -22,7 +22,7 @@ pub(super) fn friction_heat_in<const D: usize>(
         let Some(sliding) = slides else { return Ok(None) };
         let asked = Asked { slides: true, ..Asked::default() };
         let answer = measured.law.measure(measured, &asked)?;
-        Ok(answer.map(|answer| SlipFacets::new(measured, &sliding, &answer.points)))
+        answer.map(|answer| SlipFacets::new(measured, &sliding, &answer.points)).transpose()
     })?;
     facets.extend(contact.history.frozen_at(coords.unshifted, &contact.partners.obstacles.poses()));
     let (bodies, obstacles) = (contact.mesh.surface.body_count(), contact.partners.obstacles.count());

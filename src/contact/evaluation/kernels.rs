@@ -299,9 +299,8 @@ fn nodal_contact_in<const D: usize>(contact: &Contact<D>, coords: &Points<D>) ->
         let sliding = sliding(contact, coords, measured)?;
         let asked = Asked { energy: true, nodal_sums: true, slides: sliding.is_some(), ..Asked::default() };
         let Some(answer) = measured.law.measure(measured, &asked)? else { return Ok(None) };
-        let friction = sliding.map_or_else(Vec::new, |sliding| {
-            SlipFacets::new(measured, &sliding, &answer.points).at_nodes(measured.pair, &answer.points)
-        });
+        let facets = sliding.map(|sliding| SlipFacets::new(measured, &sliding, &answer.points)).transpose()?;
+        let friction = facets.map_or_else(Vec::new, |facets| facets.at_nodes(measured.pair, &answer.points));
         Ok(answer.energy.map(|energy| (energy, answer.nodal_sums, friction)))
     })?;
     let surface = &contact.mesh.surface;
@@ -317,9 +316,8 @@ fn contact_points_in<const D: usize>(
         let sliding = sliding(contact, coords, measured)?;
         let asked = Asked { points: true, slides: sliding.is_some(), ..Asked::default() };
         let Some(answer) = measured.law.measure(measured, &asked)? else { return Ok(None) };
-        let friction = sliding.map(|sliding| {
-            SlipFacets::new(measured, &sliding, &answer.points).at_points(measured.pair, &answer.points)
-        });
+        let facets = sliding.map(|sliding| SlipFacets::new(measured, &sliding, &answer.points)).transpose()?;
+        let friction = facets.map(|facets| facets.at_points(measured.pair, &answer.points));
         Ok(Some(points_of_contact(&answer.points, friction.as_deref(), measured.pair)))
     })?;
     Ok(points.into_iter().flatten().collect())

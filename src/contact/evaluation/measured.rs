@@ -39,8 +39,8 @@ pub(super) fn measured_pairs<const D: usize>(
         }
         let points = std::mem::take(&mut answer.points);
         let tractions = match (slides, wears) {
-            (Some(sliding), _) => Some(tractions_of(&SlipFacets::new(measured, &sliding, &points))),
-            (None, Some(free)) => Some(SlipFacets::new(measured, &free, &points).without_friction()),
+            (Some(sliding), _) => Some(tractions_of(&SlipFacets::new(measured, &sliding, &points)?)),
+            (None, Some(free)) => Some(SlipFacets::new(measured, &free, &points)?.without_friction()),
             (None, None) => None,
         };
         Ok(Some((answer, tractions)))

@@ -3,7 +3,7 @@
 use super::parts::Contact;
 use super::points::Points;
 use crate::Error;
-use crate::contact::friction::{Friction, Sliding, Step, Stick};
+use crate::contact::friction::{Friction, OwnLimit, Sliding, Step, Stick};
 use crate::contact::laws::{Measured, PairLaw};
 use crate::overlap::Partner;
 
@@ -69,6 +69,7 @@ fn free<'a, const D: usize>(step: &'a Step<D>, coords: &'a Points<D>) -> Sliding
         is_by_depth: false,
         stiffer: 1.0,
         pulled: 1.0,
+        own: None,
     }
 }
 
@@ -94,7 +95,9 @@ fn sliding_of<'a, const D: usize>(
     let [stiffer, kept] = since.map_or([1.0; 2], |begun| begun.stiffer(pair, stiffness, history.stiffened));
     let pulled = if friction.has_stiffness_of_law() { kept / stiffer } else { 1.0 };
     let orthotropy = partners.orthotropy_of(pair, method.options());
-    Ok(Some(Sliding { friction, orthotropy, stick, step, material: None, bearings, is_by_depth, stiffer, pulled }))
+    let (time_step, fields) = (history.time_step, &history.law_fields);
+    let own = partners.friction_law(pair).map(|own| OwnLimit { own, time_step, fields });
+    Ok(Some(Sliding { friction, orthotropy, stick, step, material: None, bearings, is_by_depth, stiffer, pulled, own }))
 }
 
 /// The pairs that were in contact when the step began and are not any more, with how each slid; `found` are those that

@@ -18,6 +18,6 @@ pub(super) fn slip_facets_in<const D: usize>(
     for_each_pair(contact, coords, |measured| {
         let Some(sliding) = sliding(contact, coords, measured)? else { return Ok(None) };
         let answer = measured.law.measure(measured, &asked)?;
-        Ok(answer.map(|answer| SlipFacets::new(measured, &sliding, &answer.points)))
+        answer.map(|answer| SlipFacets::new(measured, &sliding, &answer.points)).transpose()
     })
 }

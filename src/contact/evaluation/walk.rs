@@ -36,8 +36,10 @@ pub(crate) fn for_each_pair_within<const D: usize, T: Send>(
         let Some(pool) = contact.work.pool().filter(|_| contact.work.ranks().is_none()) else {
             return pairs.iter().filter_map(|partners| work(partners).transpose()).collect();
         };
-        // A signed distance function belongs to the host and is called on the calling thread.
-        let is_marched = |partners: &[Partner; 2]| contact.partners.is_marched(partners);
+        // A signed distance function, or a law of friction, belongs to the host and is called on the calling thread.
+        let is_marched = |partners: &[Partner; 2]| {
+            contact.partners.is_marched(partners) || contact.partners.friction_law(partners).is_some()
+        };
         let mut found: Vec<Option<Result<Option<T>, Error>>> = on_threads_of(pool, contact.work.interrupt(), || {
             pairs.par_iter().map(|partners| (!is_marched(partners)).then(|| work(partners))).collect()
         });

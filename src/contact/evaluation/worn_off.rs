@@ -29,7 +29,7 @@ pub(super) fn worn_off_in<const D: usize>(contact: &Contact<D>, coords: &Points<
         let Some((sliding, coefficients)) = wearing(contact, coords, measured)? else { return Ok(None) };
         let asked = Asked { slides: true, ..Asked::default() };
         let Some(answer) = measured.law.measure(measured, &asked)? else { return Ok(None) };
-        let facets = SlipFacets::new(measured, &sliding, &answer.points);
+        let facets = SlipFacets::new(measured, &sliding, &answer.points)?;
         let mut found = Vec::new();
         facets.worn_off((measured.pair, &sliding), &answer.points, coefficients, |facet, point, volume| {
             found.push(WornOff { facet, point, volume });

@@ -10,12 +10,20 @@ use std::collections::BTreeMap;
 pub(crate) type CarriedSlip<const D: usize> = BTreeMap<SliderName, Carried<D>>;
 
 /// What a slider carries.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Carried<const D: usize> {
     /// Elastic slip of its facet against what it faces.
     pub(crate) slip: Vector<D>,
     /// How far it has slid since it rested, where friction is another at rest.
     pub(crate) slid: f64,
+    /// What a law of the host keeps of it; empty where that is nothing.
+    pub(crate) history: Vec<f64>,
+}
+
+impl<const D: usize> Carried<D> {
+    pub(super) fn is_nothing(&self) -> bool {
+        self.slip == Vector::<D>::zeros() && self.slid == 0.0 && self.history.iter().all(|x| *x == 0.0)
+    }
 }
 
 /// Elastic slip of a boundary facet against one of the bodies and obstacles that it faces, for a restart.
@@ -34,18 +42,21 @@ pub struct FacetSlip<const D: usize> {
     pub slid: f64,
 }
 
-/// As a list, ascending by facet, partner and side.
+/// All sliders, ascending by facet, partner and side.
+pub(crate) fn in_order<const D: usize>(carried: &CarriedSlip<D>) -> Vec<SliderName> {
+    let mut names: Vec<_> = carried.keys().copied().collect();
+    names.sort_unstable_by_key(|&([a, b], is_second, facet)| (facet, if is_second { a } else { b }, is_second));
+    names
+}
+
+/// As a list, in this order.
 pub(crate) fn list<const D: usize>(carried: &CarriedSlip<D>) -> Vec<FacetSlip<D>> {
-    let one = |(&([a, b], is_second, facet), carried): (&SliderName, &Carried<D>)| FacetSlip {
-        facet,
-        partner: if is_second { a } else { b },
-        is_second,
-        slip: carried.slip.into(),
-        slid: carried.slid,
+    let one = |name: SliderName| {
+        let (([a, b], is_second, facet), carried) = (name, &carried[&name]);
+        let partner = if is_second { a } else { b };
+        FacetSlip { facet, partner, is_second, slip: carried.slip.into(), slid: carried.slid }
     };
-    let mut list: Vec<_> = carried.iter().map(one).collect();
-    list.sort_unstable_by_key(|one| (one.facet, one.partner, one.is_second));
-    list
+    in_order(carried).into_iter().map(one).collect()
 }
 
 /// Of a list; `body_of` is the body of a facet, if there is such a facet, `counts` are the numbers of bodies and obstacles.
@@ -85,9 +96,9 @@ pub(crate) fn of_list<const D: usize>(
 
 /// Elastic slip alone.
 pub(crate) fn carried_slip<const D: usize>(slip: Vector<D>) -> Carried<D> {
-    Carried { slip, slid: 0.0 }
+    Carried { slip, slid: 0.0, history: Vec::new() }
 }
 
 fn carried_by<const D: usize>(one: &FacetSlip<D>) -> Carried<D> {
-    Carried { slip: Vector::from(one.slip), slid: one.slid }
+    Carried { slip: Vector::from(one.slip), slid: one.slid, history: Vec::new() }
 }

@@ -46,6 +46,8 @@ pub(super) struct Sums<const D: usize> {
     /// Of the facet, since the step began.
     pub(super) deformation: SMatrix<f64, D, D>,
     pub(super) rows: Vec<Row<D>>,
+    /// Fields on both sides for a law of the host, times the area.
+    pub(super) fields: Vec<f64>,
 }
 
 /// Adds a point to the facets on which it lies: to both by halves where both sides are facets of bodies.
@@ -92,6 +94,11 @@ pub(super) fn add_point<const D: usize>(
         sums.depth += area * point.penetration * point.normal.dot(&normal);
         sums.position += position * area;
         sums.normal += normal * area;
+        if let Some(asked) = sliding.own.filter(|asked| asked.fields.count > 0) {
+            let of_sides = sides.iter().flat_map(|side| side.fields(pair, asked.fields));
+            sums.fields.resize(2 * asked.fields.count, 0.0);
+            sums.fields.iter_mut().zip(of_sides).for_each(|(sum, value)| *sum += value * area);
+        }
         if let Some(direction) = direction {
             sums.direction += direction * area;
         }
@@ -124,6 +131,7 @@ impl<const D: usize> Sums<D> {
             coefficient,
             deformation,
             rows: Vec::new(),
+            fields: Vec::new(),
         }
     }
 

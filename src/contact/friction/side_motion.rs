@@ -14,6 +14,7 @@ use crate::contact::laws::{PointOnSide, PressurePoint};
 use crate::geometry::facet::area_vector;
 use crate::geometry::facet_slopes::slopes;
 use crate::geometry::{Pose, Vector, cross_matrix};
+use crate::interfaces::LawFields;
 use crate::overlap::{Pair, Partner, PlaceInCell, SurfacePoint};
 use nalgebra::SMatrix;
 
@@ -134,6 +135,19 @@ impl<const D: usize> SideMotion<D> {
     /// Whether it lies within a cell.
     pub(crate) fn is_inside(&self) -> bool {
         matches!(self.movers, Movers::Cell { .. })
+    }
+
+    /// Fields of the host at the point; NaN of an obstacle, which has none.
+    pub(crate) fn fields(&self, pair: &Pair<D>, of: &LawFields) -> Vec<f64> {
+        let mut found = vec![if matches!(self.movers, Movers::Rigid) { f64::NAN } else { 0.0 }; of.count];
+        if !matches!(self.movers, Movers::Rigid) {
+            self.for_each_node(pair, &Vector::zeros(), u32::MAX, |mover, point, _| {
+                let values = &of.values[mover.node as usize * of.count..][..of.count];
+                // The shape function of the node, times the identity.
+                found.iter_mut().zip(values).for_each(|(sum, value)| *sum += point[(0, 0)] * value);
+            });
+        }
+        found
     }
 
     /// Calls `visit(what moves the side, by what the point moves with it, by what the middle does)`; the middle lies at `arm` from the

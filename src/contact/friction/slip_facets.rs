@@ -14,6 +14,7 @@ use super::return_mapping::Slider;
 use super::step::Sliding;
 use super::touch::{Bearing, FacetBearings, Touch};
 use super::traction::{Stick, Traction};
+use crate::Error;
 use crate::contact::laws::{Measured, PressurePoint};
 use crate::geometry::Vector;
 use crate::overlap::{Pair, Partner};
@@ -74,6 +75,10 @@ pub(crate) struct SlipFacet<const D: usize> {
     pub(crate) weakening_slip: f64,
     pub(crate) bearing: Bearing,
     pub(crate) before: Before<D>,
+    /// How far it has slipped since the step began, elastic or not, whatever part of that counts.
+    pub(super) slip: Vector<D>,
+    /// What a law of the host keeps of it at the end of the step.
+    pub(super) history: Vec<f64>,
 }
 
 /// A facet when the step began, all by the area in contact now.
@@ -97,20 +102,35 @@ pub(crate) struct Before<const D: usize> {
 
 impl<const D: usize> SlipFacets<D> {
     /// The facets on which a law presses.
-    pub(crate) fn new(measured: &Measured<D>, sliding: &Sliding<D>, pressed: &[PressurePoint<D>]) -> Self {
+    ///
+    /// # Errors
+    /// [`Error::FrictionLaw`] of a law of the host.
+    pub(crate) fn new(
+        measured: &Measured<D>,
+        sliding: &Sliding<D>,
+        pressed: &[PressurePoint<D>],
+    ) -> Result<Self, Error> {
         let (pair, obstacle_node) = (measured.pair, measured.obstacle_node());
         let mut of_facets: BTreeMap<(bool, u32), Sums<D>> = BTreeMap::new();
         let mut last = [None, None];
         for point in pressed {
             add_point(&mut of_facets, pair, sliding, point, obstacle_node, &mut last);
         }
-        let (facets, bore) = (Vec::with_capacity(of_facets.len()), of_facets.values().map(Sums::bore).sum());
+        let facets = Vec::with_capacity(of_facets.len());
+        let mut bore: Bore = of_facets.values().map(Sums::bore).sum();
         let mut all = Self { partners: pair.partners, facets, rows: Vec::new(), gone: Vec::new() };
-        for ((of_b, facet), sums) in of_facets {
-            all.add(pair, sliding, (of_b, facet), sums);
+        let mut fields = Vec::new();
+        for ((of_b, facet), mut sums) in of_facets {
+            let (area, of_facet) = (sums.area, std::mem::take(&mut sums.fields));
+            if all.add(pair, sliding, (of_b, facet), sums).is_some() {
+                fields.extend(of_facet.into_iter().map(|sum| sum / area));
+            }
+        }
+        if let Some(own) = sliding.own {
+            bore = all.take_limits((sliding, own), &fields, bore)?;
         }
         all.gone = all.left(sliding, &bore);
-        all
+        Ok(all)
     }
 
     /// Facets that bore when the step began and do not now: they slid as the others, while their limit fell to nothing.
@@ -150,8 +170,8 @@ impl<const D: usize> SlipFacets<D> {
                 let bore = sliding.bearing(&name);
                 let approach = sums.approach / sums.area;
                 let touch = bore.map_or(Touch::WHOLE, |(bore, less)| Touch::new(bore, bearing, approach + less));
-                let none = Carried { slip: Vector::zeros(), slid: 0.0 };
-                let Carried { slip, slid } = sliding.step.slip.get(&name).copied().unwrap_or(none);
+                let carried = sliding.step.slip.get(&name);
+                let (slip, slid) = carried.map_or((Vector::zeros(), 0.0), |carried| (carried.slip, carried.slid));
                 let slip = tangential(deformation * slip) * sign;
                 let area = bore.map_or(1.0, |(bore, _)| bore.area / bearing.area);
                 // Of a pressure that is one for a whole pair no facet tells what it was.
@@ -186,6 +206,8 @@ impl<const D: usize> SlipFacets<D> {
             weakening_slip: sliding.friction.at_rest.map_or(0.0, |at_rest| at_rest.weakening_slip),
             bearing,
             before,
+            slip: tangential(slip),
+            history: Vec::new(),
         });
         Some(())
     }
@@ -205,9 +227,9 @@ impl<const D: usize> SlipFacets<D> {
         let all = self.tractions().map(|(facet, _, traction)| {
             let name = (self.partners, facet.of_b, facet.facet);
             let slip = if facet.of_b { -traction.elastic } else { traction.elastic };
-            (name, Carried { slip, slid: facet.slid(&traction) })
+            (name, Carried { slip, slid: facet.slid(&traction), history: facet.history.clone() })
         });
-        all.filter(|(_, carried)| carried.slip != Vector::<D>::zeros() || carried.slid != 0.0)
+        all.filter(|(_, carried)| !carried.is_nothing())
     }
 }
 

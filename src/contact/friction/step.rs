@@ -2,6 +2,7 @@
 
 use super::carried::CarriedSlip;
 use super::carriers::SliderName;
+use super::law::OwnLimit;
 use super::moved_out::{Material, MovedOut};
 use super::options::Friction;
 use super::orthotropic::Orthotropy;
@@ -87,6 +88,8 @@ pub(crate) struct Sliding<'a, const D: usize> {
     pub(crate) stiffer: f64,
     /// What elastic slip that is carried pulled with then, by what it does with the stiffness of now.
     pub(crate) pulled: f64,
+    /// The law of the host that says at which traction facets slide; the coefficient of `friction` is then 1.
+    pub(crate) own: Option<OwnLimit<'a>>,
 }
 
 impl<const D: usize> Sliding<'_, D> {

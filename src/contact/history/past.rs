@@ -131,6 +131,14 @@ impl<const D: usize> History<D> {
         Ok(())
     }
 
+    /// Forgets what the law of friction of a pair keeps.
+    pub(crate) fn forget_friction_law(&mut self, pair: &[Partner; 2]) {
+        if let Some(step) = &mut self.step {
+            let of_pair = step.slip.iter_mut().filter(|((partners, ..), _)| partners == pair);
+            of_pair.for_each(|(_, carried)| carried.history.clear());
+        }
+    }
+
     /// Takes the pressure of the coordinates at hand again.
     pub(crate) fn release_friction(&mut self) {
         self.frozen = None;

@@ -129,7 +129,7 @@ impl<const D: usize> Contact<D> {
     /// act on one another; [`Error::OfPair`] for a value out of its range, a law that the estimator does not
     /// support, or a gap offset between bodies that is positive or has another law than `depth`. The old options then stay.
     pub fn set_pair_options(&mut self, partners: [Partner; 2], options: Option<PairOptions>) -> Result<(), Error> {
-        changes::options::set_pair(self, partners, options, None)
+        changes::options::set_pair(self, partners, options, (None, None))
     }
 
     /// Adds a rigid partner and returns its index: 0, 1, …, also after others were removed.

@@ -24,7 +24,7 @@ impl<const D: usize> Contact<D> {
         if !matches!(options.interface, Interface::Law { .. }) {
             return Err(Error::Unsupported { what: "your own law beside another interface than 'law'" });
         }
-        changes::options::set_pair(self, partners, Some(options), Some(&OwnLaw::new(law)))
+        changes::options::set_pair(self, partners, Some(options), (Some(&OwnLaw::new(law)), None))
     }
 
     /// Sets fields that laws of the host are asked with at their points, such as a temperature: `count` numbers for every row of the coordinates,

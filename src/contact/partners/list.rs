@@ -7,30 +7,34 @@ use super::pair_options::PairOptions;
 use super::pair_table::PairTable;
 use super::parallel::Parallel;
 use crate::Error;
-use crate::contact::friction::{Friction, Orthotropy};
+use crate::contact::friction::{Friction, Orthotropy, OwnFriction};
 use crate::contact::laws::{EnergyLaw, PairLaw};
 use crate::contact::method::{Method, Options};
 use crate::geometry::Pose;
 use crate::geometry::shapes::ImplicitShape;
 use crate::overlap::Partner;
+use std::collections::BTreeMap;
 
 /// Obstacles, and the pairs that have options of their own.
 pub(crate) struct Partners<const D: usize> {
     pub(crate) obstacles: Obstacles<D>,
     pub(crate) table: PairTable<D>,
+    /// Laws of the host by which pairs slide, of those whose options say so.
+    friction_laws: BTreeMap<[Partner; 2], OwnFriction>,
     /// Laws of the pairs that have no stiffness of their own, where the options have none either.
     layers: Option<LayerLaws<D>>,
 }
 
 impl<const D: usize> Partners<D> {
     pub(crate) fn new() -> Self {
-        Self { obstacles: Obstacles::new(), table: PairTable::new(), layers: None }
+        Self { obstacles: Obstacles::new(), table: PairTable::new(), friction_laws: BTreeMap::new(), layers: None }
     }
 
     /// Takes an obstacle out, with the options of its pairs.
     pub(crate) fn remove_obstacle(&mut self, obstacle: usize) -> Result<(), Error> {
         self.obstacles.remove(obstacle)?;
         self.table.forget(Partner::Obstacle(obstacle));
+        self.friction_laws.retain(|pair, _| !pair.contains(&Partner::Obstacle(obstacle)));
         Ok(())
     }
 
@@ -164,6 +168,19 @@ impl<const D: usize> Partners<D> {
     /// Whether a pair adds to results.
     pub(crate) fn has(&self, pair: &[Partner; 2], options: &Options) -> bool {
         self.table.has(pair, pair[0] != pair[1] || options.self_contact)
+    }
+
+    /// The law of the host by which a pair slides, if it has one.
+    pub(crate) fn friction_law(&self, pair: &[Partner; 2]) -> Option<&OwnFriction> {
+        self.friction_laws.get(pair)
+    }
+
+    /// Sets it, or takes it out.
+    pub(crate) fn set_friction_law(&mut self, pair: [Partner; 2], law: Option<OwnFriction>) {
+        match law {
+            Some(law) => drop(self.friction_laws.insert(pair, law)),
+            None => drop(self.friction_laws.remove(&pair)),
+        }
     }
 
     /// How its limits are by direction, where they are not the same in all.

@@ -20,6 +20,9 @@ pub struct PairOptions {
     pub static_friction: Option<StaticFriction>,
     /// Another coefficient across a direction; `None`: the same in all directions. In 3D, between a body and another body or an obstacle.
     pub orthotropic: Option<OrthotropicFriction>,
+    /// The pair slides at the limit of a law of the host, and has none of the above: see [`FrictionLaw`](crate::contact::FrictionLaw). It is given
+    /// by [`Contact::set_friction_law_pair`](crate::Contact::set_friction_law_pair); options that are set later keep it, with its history.
+    pub friction_law: bool,
     /// Distance at which contact begins, in length, 0 by default. Penetration, gap and pressure are counted from there,
     /// also in weighted gaps.
     ///
@@ -98,6 +101,11 @@ impl PairOptions {
         if self.interface == Interface::Rough {
             let (coefficient, shear_limit) = (f64::INFINITY, f64::INFINITY);
             return Friction { coefficient, shear_limit, at_rest: None, ..of_contact };
+        }
+        if self.friction_law {
+            // Of the pressure, from which the law has the limit.
+            let Friction { stiffness, memoryless_slip, .. } = of_contact;
+            return Friction { stiffness, memoryless_slip, ..Friction::coulomb(1.0) };
         }
         let along = self.friction_along(of_contact);
         self.orthotropic.map_or(along, |own| own.largest(along))

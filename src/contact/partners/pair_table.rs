@@ -150,6 +150,7 @@ fn check<const D: usize>(pair: &[Partner; 2], options: &PairOptions, defaults: &
     let of_pair = |cause| Error::OfPair { sides: pair.map(side), cause: Box::new(cause) };
     // What has no effect comes first, whatever its value.
     check_interface(pair, options, &law)
+        .and_then(|()| check_friction_law(options))
         .and_then(|()| check_orthotropic::<D>(pair, options, defaults))
         .and(own)
         .and_then(|()| Options { law, friction, ..*defaults }.check())
@@ -174,6 +175,24 @@ fn check_orthotropic<const D: usize>(
             "a transverse_coefficient of a body with itself, of which either side might have the direction"
         }
         _ => return orthotropic.check(&options.friction_along(defaults.friction)),
+    };
+    Err(Error::Unsupported { what })
+}
+
+/// What cannot be beside a law of friction of the host.
+fn check_friction_law(options: &PairOptions) -> Result<(), Error> {
+    let has_own =
+        options.friction_coefficient.is_some() || options.static_friction.is_some() || options.orthotropic.is_some();
+    let what = match () {
+        () if !options.friction_law => return Ok(()),
+        () if has_own => "a coefficient of friction beside your own law of friction, which says when the pair slides",
+        () if options.interface != Interface::Contact => {
+            "your own law of friction of a pair that is rough, tied, does not separate, has a cohesive interface, or one by your own law"
+        }
+        () if options.wear_coefficients != [0.0; 2] => {
+            "a wear coefficient beside your own law of friction, which does not say how the pressure grew in the step"
+        }
+        () => return Ok(()),
     };
     Err(Error::Unsupported { what })
 }

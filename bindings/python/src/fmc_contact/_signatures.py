@@ -34,6 +34,7 @@ from ._structs import (
     fmc_equilibrium_result,
     fmc_facet_block,
     fmc_forces,
+    fmc_friction_law,
     fmc_friction_step,
     fmc_gap_constraint,
     fmc_gathered_counts,
@@ -157,6 +158,15 @@ FUNCTIONS: dict[str, tuple[Any, list[Any]]] = {
     "fmc_context_set_law_pair": (
         c_int32,
         [fmc_context, c_int32, c_size_t, c_int32, c_size_t, POINTER(fmc_pair_options), POINTER(fmc_own_law)],
+    ),
+    "fmc_friction_law_init": (c_int32, [POINTER(fmc_friction_law)]),
+    "fmc_friction_law_check": (
+        c_int32,
+        [POINTER(fmc_friction_law), c_size_t, c_double, c_double, c_double, fmc_log_callback, c_void_p],
+    ),
+    "fmc_context_set_friction_law_pair": (
+        c_int32,
+        [fmc_context, c_int32, c_size_t, c_int32, c_size_t, POINTER(fmc_pair_options), POINTER(fmc_friction_law)],
     ),
     "fmc_context_evaluate": (
         c_int32,
@@ -349,6 +359,8 @@ FUNCTIONS: dict[str, tuple[Any, list[Any]]] = {
     "fmc_context_set_wear_cycles": (c_int32, [fmc_context, c_double]),
     "fmc_context_slip": (c_int32, [fmc_context, Float64Array, c_size_t, POINTER(c_size_t)]),
     "fmc_context_set_slip": (c_int32, [fmc_context, Float64Array, c_size_t]),
+    "fmc_context_friction_history": (c_int32, [fmc_context, Float64Array, c_size_t, POINTER(c_size_t)]),
+    "fmc_context_set_friction_history": (c_int32, [fmc_context, Float64Array, c_size_t]),
     "fmc_context_damage": (c_int32, [fmc_context, Float64Array, c_size_t, POINTER(c_size_t)]),
     "fmc_context_set_damage": (c_int32, [fmc_context, Float64Array, c_size_t]),
     "fmc_context_cohesive_history": (c_int32, [fmc_context, Float64Array, c_size_t, POINTER(c_size_t)]),

@@ -41,6 +41,8 @@ fmc_signed_distance = CFUNCTYPE(c_int32, c_void_p, c_size_t, POINTER(c_double), 
 
 fmc_respond = CFUNCTYPE(c_int32, c_void_p, c_void_p, c_void_p)
 
+fmc_limit_friction = CFUNCTYPE(c_int32, c_void_p, c_void_p, c_void_p)
+
 fmc_place = CFUNCTYPE(c_int32, c_void_p, c_size_t, POINTER(c_double), POINTER(c_double))
 
 fmc_all_gather = CFUNCTYPE(c_int32, c_void_p, c_void_p, POINTER(c_uint64), c_void_p)
@@ -254,6 +256,53 @@ class fmc_own_law(Structure):
         ("struct_size", c_size_t),
         ("history_count", c_size_t),
         ("respond", fmc_respond),
+        ("user", c_void_p),
+        ("reserved", c_uint64 * 4),
+    ]
+
+
+class fmc_friction_facets(Structure):
+    _fields_ = [
+        ("struct_size", c_size_t),
+        ("count", c_size_t),
+        ("dim", c_size_t),
+        ("history_count", c_size_t),
+        ("body", c_size_t),
+        ("partner", c_size_t),
+        ("partner_kind", c_int32),
+        ("unused", c_int32),
+        ("time_step", c_double),
+        ("stiffness", c_double),
+        ("facet", c_void_p),
+        ("pressure", c_void_p),
+        ("slip", c_void_p),
+        ("trial", c_void_p),
+        ("axes", c_void_p),
+        ("position", c_void_p),
+        ("area", c_void_p),
+        ("history", c_void_p),
+        ("field_count", c_size_t),
+        ("fields", c_void_p),
+        ("reserved", c_uint64 * 4),
+    ]
+
+
+class fmc_friction_response(Structure):
+    _fields_ = [
+        ("struct_size", c_size_t),
+        ("limit", c_void_p),
+        ("by_pressure", c_void_p),
+        ("by_slip", c_void_p),
+        ("history", c_void_p),
+        ("reserved", c_uint64 * 4),
+    ]
+
+
+class fmc_friction_law(Structure):
+    _fields_ = [
+        ("struct_size", c_size_t),
+        ("history_count", c_size_t),
+        ("limit", fmc_limit_friction),
         ("user", c_void_p),
         ("reserved", c_uint64 * 4),
     ]

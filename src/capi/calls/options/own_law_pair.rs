@@ -62,19 +62,30 @@ pub unsafe extern "C" fn fmc_own_law_check(
             (reference("law", law)?.to_law()?, slice("jump", jump, jump_count, if dim == 2 { 2 } else { 3 })?)
         };
         let report = check_law(&law, &LawCheck { jumps: jumps.to_vec(), time_step, ..LawCheck::new(dim, scale) })?;
-        if let Some(tell) = tell {
-            for text in &report.sentences {
-                let level = if report.faults().any(|fault| fault == text) { FMC_LOG_WARNING } else { 0 };
-                let text = CString::new(text.as_str()).unwrap_or_default();
-                // SAFETY: the text lives during the call; the host guarantees a function that keeps to its contract.
-                unsafe { tell(user, level, text.as_ptr()) };
-            }
-        }
-        match report.is_right() {
-            true => Ok(()),
-            false => Err(Failure::new(FMC_ERROR_INTERFACE_LAW, report.faults().collect::<Vec<_>>().join("; "))),
-        }
+        // SAFETY: the host guarantees a function that keeps to its contract.
+        unsafe { tell_report(&report.sentences, &report.faults().collect::<Vec<_>>(), tell, user) }
     })
+}
+
+/// Tells the sentences of a report, and fails with those on what is wrong.
+pub(super) unsafe fn tell_report(
+    sentences: &[String],
+    faults: &[&str],
+    tell: fmc_log_callback,
+    user: *mut c_void,
+) -> Result<(), Failure> {
+    if let Some(tell) = tell {
+        for text in sentences {
+            let level = if faults.contains(&text.as_str()) { FMC_LOG_WARNING } else { 0 };
+            let text = CString::new(text.as_str()).unwrap_or_default();
+            // SAFETY: the text lives during the call; passed on to the caller.
+            unsafe { tell(user, level, text.as_ptr()) };
+        }
+    }
+    match faults.is_empty() {
+        true => Ok(()),
+        false => Err(Failure::new(FMC_ERROR_INTERFACE_LAW, faults.join("; "))),
+    }
 }
 
 /// Sets fields that laws of the host are asked with at their points, such as a temperature: `field_count` numbers for each of `row_count` rows of

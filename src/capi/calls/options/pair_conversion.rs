@@ -61,6 +61,7 @@ impl fmc_pair_options {
         let coefficient = self.friction_coefficient;
         let friction_coefficient = (coefficient != f64::from(FMC_PAIR_FRICTION_OF_CONTEXT)).then_some(coefficient);
         Ok(PairOptions {
+            friction_law: false,
             excluded: EXCLUDED.is_on(self.excluded)?,
             law: self.law()?,
             friction_coefficient,
@@ -164,6 +165,7 @@ mod tests {
                         interface,
                         surfaces,
                         orthotropic: None,
+                        friction_law: false,
                         wear_coefficients: [0.0; 2],
                     };
                     assert_eq!(fmc_pair_options::from(options).to_pair_options().unwrap(), options);

@@ -1,0 +1,54 @@
+//! What laws of friction of the host keep, for a restart.
+
+use crate::capi::boundary::entry::entry;
+use crate::capi::boundary::list::Room;
+use crate::capi::boundary::pointer::slice;
+use crate::capi::boundary::status::fmc_status;
+use crate::capi::context::session::in_either;
+use crate::capi::context::state::{fmc_context, read, write};
+
+/// What laws of friction of the host keep after the steps that were accepted (`fmc_context_commit_step`): for each row of `fmc_context_slip`, in its
+/// order, as many numbers as the law of its pair has, none without a law. With the slip it is all that a restart needs of them.
+///
+/// `count` becomes how many numbers there are; `history` has room for `capacity`. NULL with capacity 0: that alone is asked for.
+///
+/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_NO_STEP`, `FMC_ERROR_BUSY`; nothing is written then. Threads:
+/// several at once on one context, as long as no call changes it.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmc_context_friction_history(
+    context: *const fmc_context,
+    history: *mut f64,
+    capacity: usize,
+    count: *mut usize,
+) -> fmc_status {
+    entry(|| {
+        let room = Room::new(capacity, count)?;
+        // SAFETY: the host passes a context, and room for `capacity` numbers.
+        unsafe {
+            let found = in_either!(&read(context)?.session, one => one.friction_history())?;
+            room.write("numbers of the history", "history", &found, history)
+        }
+    })
+}
+
+/// Sets it, for a restart: `count` numbers, as `fmc_context_friction_history` writes them, after `fmc_context_set_slip` with the rows that they
+/// belong to.
+///
+/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_LENGTH` for another number of them, `FMC_ERROR_NOT_POSITIVE` for what is not finite,
+/// `FMC_ERROR_NO_STEP`, `FMC_ERROR_BUSY`; the old one then stays. Threads: one call at a time on a context.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmc_context_set_friction_history(
+    context: *mut fmc_context,
+    history: *const f64,
+    count: usize,
+) -> fmc_status {
+    entry(|| {
+        // SAFETY: the host passes a context and `count` numbers.
+        unsafe {
+            write(context, |state| {
+                let history = slice("history", history, count, 1)?;
+                in_either!(&mut state.session, one => one.set_friction_history(history))
+            })
+        }
+    })
+}
