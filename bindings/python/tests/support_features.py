@@ -125,6 +125,14 @@ def springs(points):
 
 BONDED = of_pair(1, interface="law", reach=0.2, law=springs)
 
+
+def rubbing(facets):
+    """A quarter of the pressure, by a law of the host."""
+    return 0.25 * facets.pressure, np.full(len(facets), 0.25)
+
+
+RUBBED_BY_LAW = together(of_pair(1, friction_law=rubbing), begun)
+
 STRAIGHT, CURVED = tuple(EDGES), tuple(SECOND_ORDER)
 
 GROUPS = {
@@ -148,6 +156,11 @@ GROUPS = {
         Feature("cohesion and shear limit", {**RUBBED, "cohesion": 5.0, "shear_limit": 20.0}, begun),
         Feature("static coefficient", {**RUBBED, "static_coefficient": 0.5, "weakening_slip": 0.1}, begun),
         Feature("`memoryless_slip`", {"friction_coefficient": 0.3, "memoryless_slip": 0.1}, begun),
+        Feature("your own law of friction", RUBBED, RUBBED_BY_LAW),
+        Feature("your own law of friction, axisymmetry", {**RUBBED, "axisymmetric": True}, RUBBED_BY_LAW, dims=(2,)),
+        Feature("your own law of friction, second-order cells, 2D", RUBBED, RUBBED_BY_LAW, dims=(2,), kinds=("quad9",)),
+        Feature("your own law of friction, ranks", RUBBED, together(RUBBED_BY_LAW, on_ranks)),
+        Feature("your own law of friction, mesh in parts", {**RUBBED, "parts": True}, RUBBED_BY_LAW),
         Feature("with self-contact", {**RUBBED, "self_contact": True}, begun),
         Feature("with axisymmetry", {**RUBBED, "axisymmetric": True}, begun, dims=(2,)),
         Feature("with second-order cells, 2D", RUBBED, begun, dims=(2,), kinds=("quad9",)),

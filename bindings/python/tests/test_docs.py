@@ -131,6 +131,7 @@ PIECES = {
             "held = -np.array(body.friction[:2]) / (body.force[2] - body.friction[2])\n"
             "assert np.allclose(held, np.array([0.09, 0.01]) / 0.1**0.5, atol=0.01), held",
         ),
+        ("", "assert np.isclose(sheet.evaluate(square + [1.0, -0.05]).forces[:, 0].sum(), -0.3 * 100 * 0.05)"),
     ],
     "heat.md": [None],  # hosts/skfem/tests/test_docs.py
     "wear.md": [None],  # hosts/skfem/tests/test_docs.py

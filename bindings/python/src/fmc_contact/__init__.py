@@ -22,6 +22,7 @@ from .errors import FmcError
 from .fields import ContactPoints, NodalContact
 from .flux import Conductance, ContactFlux, FrictionHeat
 from .forward import Slopes
+from .friction_laws import FrictionFacets, FrictionResponse, check_friction_law
 from .gaps import GapConstraints
 from .gradients import Gradients, PairGradient
 from .laws import InterfaceLaws, LawPoints, LawResponse, LawStates, check_law
@@ -86,7 +87,9 @@ __all__ = [
     "Equilibrium",
     "FmcError",
     "Friction",
+    "FrictionFacets",
     "FrictionHeat",
+    "FrictionResponse",
     "GapConstraints",
     "GatheredCounts",
     "Gradients",
@@ -120,6 +123,7 @@ __all__ = [
     "TieConstraints",
     "TieNodes",
     "Ties",
+    "check_friction_law",
     "check_host",
     "check_law",
     "contact_force",

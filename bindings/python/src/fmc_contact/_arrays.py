@@ -10,6 +10,7 @@ No mesh has as few nodes as axes, so the shape alone says which of the two is me
 
 from __future__ import annotations
 
+from ctypes import c_double
 from typing import Any, NamedTuple, Optional
 
 import numpy as np
@@ -53,6 +54,15 @@ def floats(values: ArrayLike, name: str, shape: Optional[tuple[int, ...]] = None
     if shape is not None and array.shape != shape:
         raise shape_error(name, array.shape, str(shape))
     return array.astype(np.float64, copy=False)
+
+
+def of_memory(address: Optional[int], shape: tuple[int, ...], kind: Any = c_double) -> np.ndarray:
+    """Numbers of the library, in place."""
+    size = int(np.prod(shape))
+    if not size or address is None:
+        return np.empty(shape, kind)
+    found: np.ndarray = np.ctypeslib.as_array((kind * size).from_address(address))
+    return found.reshape(shape)
 
 
 def finite(values: ArrayLike, name: str, shape: Optional[tuple[int, ...]] = None) -> np.ndarray:

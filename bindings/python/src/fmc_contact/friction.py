@@ -170,3 +170,39 @@ class FrictionSteps:
         values = rows_of(slip, "slip")
         with self._core.handle:
             self._core.handle.call(library.fmc_context_set_slip, values, values.size)
+
+    @property
+    def history(self) -> np.ndarray:
+        """What your own laws of friction keep of the steps that were committed.
+
+        For each row of ``slip``, in its order, there are as many numbers as the law of the pair has; none without a law. Set it for a restart
+        after ``slip``, with the rows that it belongs to.
+
+        Raises
+        ------
+        NoStepError
+            Before ``begin_step``.
+        LengthError
+            If there are more or fewer numbers.
+        NotPositiveError
+            If a number is not finite. The history stays as it was.
+
+        Examples
+        --------
+        >>> contact.friction.begin_step(coords)
+        >>> contact.friction.history.shape
+        (0,)
+        >>> contact.friction.history = []
+        """
+        count = c_size_t()
+        with self._core.handle:
+            self._core.handle.call(library.fmc_context_friction_history, None, 0, byref(count))
+            found = np.empty(count.value)
+            self._core.handle.call(library.fmc_context_friction_history, found, found.size, None)
+        return found
+
+    @history.setter
+    def history(self, history: ArrayLike) -> None:
+        values = np.ascontiguousarray(floats(history, "history")).ravel()
+        with self._core.handle:
+            self._core.handle.call(library.fmc_context_set_friction_history, values, values.size)

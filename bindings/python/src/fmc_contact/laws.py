@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from ctypes import byref, c_double, c_size_t
+from ctypes import byref, c_size_t
 from dataclasses import dataclass
 from typing import Any, Optional, Union
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ._arrays import coords_view, floats, shape_error, written
+from ._arrays import coords_view, floats, of_memory, shape_error, written
 from ._core import Core
 from ._handle import guarded
 from ._index import integer
@@ -99,15 +99,6 @@ InterfaceLaw = Callable[[LawPoints], Union[LawResponse, tuple[ArrayLike, ...]]]
 """Your own law: of all points of a pair at once."""
 
 
-def _of_memory(address: Optional[int], shape: tuple[int, ...]) -> np.ndarray:
-    """Numbers of the library, in place."""
-    size = int(np.prod(shape))
-    if not size or address is None:
-        return np.empty(shape)
-    found: np.ndarray = np.ctypeslib.as_array((c_double * size).from_address(address))
-    return found.reshape(shape)
-
-
 def _asked(law: InterfaceLaw) -> Callable[..., None]:
     """What the library calls: the law with arrays."""
 
@@ -117,15 +108,15 @@ def _asked(law: InterfaceLaw) -> Callable[..., None]:
         vectors, squares, kept = (n, dim), (n, dim, dim), (n, h)
         # Copies: the law may keep what it is given, and the memory goes back after the call.
         asked = LawPoints(
-            jump=_of_memory(given.jump, vectors).copy(),
-            history=_of_memory(given.history, kept).copy(),
+            jump=of_memory(given.jump, vectors).copy(),
+            history=of_memory(given.history, kept).copy(),
             time_step=given.time_step,
-            position=_of_memory(given.position, vectors).copy(),
-            reference=_of_memory(given.reference, vectors).copy(),
-            axes=_of_memory(given.axes, squares).copy(),
-            area=_of_memory(given.area, (n,)).copy(),
+            position=of_memory(given.position, vectors).copy(),
+            reference=of_memory(given.reference, vectors).copy(),
+            axes=of_memory(given.axes, squares).copy(),
+            area=of_memory(given.area, (n,)).copy(),
             bodies=(given.body, given.partner),
-            fields=_of_memory(given.fields, (n, 2, given.field_count)).copy(),
+            fields=of_memory(given.fields, (n, 2, given.field_count)).copy(),
         )
         found = law(asked)
         if not isinstance(found, LawResponse):
@@ -133,14 +124,14 @@ def _asked(law: InterfaceLaw) -> Callable[..., None]:
                 expected = "(traction, tangent), (traction, tangent, history) or a LawResponse"
                 raise TypeError(f"a law returned a {type(found).__name__}, expected {expected}")
             found = LawResponse(*found)
-        _of_memory(to.traction, vectors)[...] = floats(found.traction, "traction", vectors)
-        _of_memory(to.tangent, squares)[...] = floats(found.tangent, "tangent", squares)
+        of_memory(to.traction, vectors)[...] = floats(found.traction, "traction", vectors)
+        of_memory(to.tangent, squares)[...] = floats(found.tangent, "tangent", squares)
         if found.history is not None:
-            _of_memory(to.history, kept)[...] = floats(found.history, "history", kept)
+            of_memory(to.history, kept)[...] = floats(found.history, "history", kept)
         if found.stored is not None:
-            _of_memory(to.stored, (n,))[...] = floats(found.stored, "stored", (n,))
+            of_memory(to.stored, (n,))[...] = floats(found.stored, "stored", (n,))
         if found.dissipated is not None:
-            _of_memory(to.dissipated, (n,))[...] = floats(found.dissipated, "dissipated", (n,))
+            of_memory(to.dissipated, (n,))[...] = floats(found.dissipated, "dissipated", (n,))
 
     return respond
 

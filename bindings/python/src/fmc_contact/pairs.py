@@ -20,6 +20,7 @@ from ._core import Core
 from ._index import index_of, integer
 from ._library import check, library
 from ._structs import fmc_orthotropic_friction, fmc_pair_options, fmc_ppr, fmc_tie
+from .friction_laws import FrictionLaw, friction_law_struct
 from .laws import InterfaceLaw, law_struct
 from .ties import Tie
 
@@ -119,6 +120,7 @@ class Pairs:
         normal_slope: Optional[float] = None,
         shear_slope: Optional[float] = None,
         history: int = 0,
+        friction_law: Optional[FrictionLaw] = None,
     ) -> None:
         """Gives a pair options of its own, in place of those it had.
 
@@ -194,7 +196,10 @@ class Pairs:
             With ``softening="ppr"``: the opening or sliding at the strength, divided by the one at which the traction ends. Above 0, and
             at most 1/√(2 shape − 1). Default: 0.05.
         history : int
-            With your own law: how many numbers each point keeps from step to step. They begin with 0.
+            With your own law: how many numbers each point, or facet, keeps from step to step. They begin with 0.
+        friction_law : callable, optional
+            Your own law of friction, in place of coefficients, ``cohesion`` and ``shear_limit``: a function of ``FrictionFacets`` that returns
+            a ``FrictionResponse``, with the tractions at which facets slide. Options of the pair that are set later take it back.
 
         Raises
         ------
@@ -220,7 +225,7 @@ class Pairs:
         """
         law_values = {"stiffness": stiffness, "exponent": exponent, "smoothing_length": smoothing_length}
         own_law = None if law is None or isinstance(law, str) else law
-        if (own_law is not None or history != 0) and interface != "law":
+        if (own_law is not None or (history != 0 and friction_law is None)) and interface != "law":
             raise ValueError(f"{'law' if own_law is not None else 'history'} of your own belongs to the interface 'law', and it is '{interface}'")
         own = fmc_pair_options()
         check(library.fmc_pair_options_init(byref(own)))
@@ -259,9 +264,13 @@ class Pairs:
         shapes = dict(zip(_OF_PPR, (normal_shape, shear_shape, normal_slope, shear_slope)))
         shapes = {key: float(value) for key, value in shapes.items() if value is not None}
         if own_law is not None:
-            if shapes or friction is not None:
+            if shapes or friction is not None or friction_law is not None:
                 raise ValueError("an interface by your own law has neither shapes nor friction beside it")
             return self._set_law(a, b, own, own_law, history)
+        if friction_law is not None:
+            if shapes or friction is not None:
+                raise ValueError("a pair with your own law of friction has neither shapes nor a transverse_coefficient beside it")
+            return self._set_friction_law(a, b, own, friction_law, history)
         if shapes and friction is not None:
             raise ValueError(f"{next(iter(shapes))} and transverse_coefficient of one pair: what is broken rubs by one coefficient")
         if shapes:
@@ -303,6 +312,13 @@ class Pairs:
             handle.call(library.fmc_context_set_law_pair, *sides[0], *sides[1], byref(options), byref(struct))
         # Until the pair has another law: other options may keep this one.
         handle.keep(("law", *sorted(sides)), callback)
+
+    def _set_friction_law(self, a: Partner, b: Partner, options: fmc_pair_options, law: FrictionLaw, history: int) -> None:
+        handle, sides = self._core.handle, (_named(a), _named(b))
+        struct, callback = friction_law_struct(law, history, handle.guarded)
+        with handle:
+            handle.call(library.fmc_context_set_friction_law_pair, *sides[0], *sides[1], byref(options), byref(struct))
+        handle.keep(("friction_law", *sorted(sides)), callback)
 
     def _set(self, a: Partner, b: Partner, options: Any) -> None:
         with self._core.handle:
