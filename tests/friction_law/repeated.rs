@@ -87,6 +87,34 @@ fn on_an_obstacle_too() {
     goes_alike(&scene, [library, own]);
 }
 
+/// Two blocks that are one body, against itself.
+#[test]
+fn in_self_contact_too() {
+    let scene = Scene { ids: vec![0; in_plane().ids.len()], ..in_plane() };
+    let options = Options { friction: Friction::coulomb(0.3), self_contact: true, ..depth() };
+    let mut own = scene.contact(Options { friction: Friction::default(), ..options });
+    rub(&mut own, [Body(0); 2], coulomb(0.3));
+    goes_alike(&scene, [scene.contact(options), own]);
+}
+
+/// Multipliers move surfaces out, and raise the pressure that the law is asked with.
+#[test]
+fn with_multipliers_too() {
+    let options = Options { friction: Friction::coulomb(0.3), ..depth() };
+    let scene = in_space();
+    let mut both = both(&scene, options, coulomb(0.3));
+    both.iter_mut().for_each(|contact| contact.begin_step(&scene.coords).expect("a step"));
+    let coords = along(&scene, 3.0 * DELTA);
+    let before = both[0].evaluate(&coords).expect("forces").friction.dissipated;
+    for contact in &mut both {
+        contact.augment(&coords, 0.1, 0.0).expect("multipliers");
+    }
+    let after = both[1].evaluate(&coords).expect("forces").friction.dissipated;
+    assert!(after > 1.2 * before, "{before} {after}");
+    let found = differences(both.each_ref(), &waved(&coords, 0.02 * DELTA));
+    assert!(found < 1e-12, "{found:e}");
+}
+
 /// A cap is the shear limit of the library, where all points of a facet are beyond it or none is.
 #[test]
 fn a_cap_is_a_shear_limit() {
