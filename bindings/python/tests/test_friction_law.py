@@ -80,6 +80,31 @@ def test_a_search_slides_at_the_speed_of_the_film(block):  # noqa: F811
     assert speeds[2:] == pytest.approx([0.1, 0.1], rel=2e-3), speeds
 
 
+@pytest.mark.parametrize("time_step", [1.0, 0.01])
+def test_a_search_finds_the_speed_beyond_the_dip_of_a_curve(block, time_step):  # noqa: F811
+    """μ(v) = 0.1 + 0.2 exp(−2 v) + 0.3 v falls before it rises: beyond the largest friction at rest there is one speed."""
+
+    def stribeck(facets):
+        size = np.linalg.norm(facets.slip, axis=1)
+        along, v = facets.slip / np.where(size > 0, size, 1.0)[:, None], size / facets.time_step
+        mu, slope = 0.1 + 0.2 * np.exp(-2 * v) + 0.3 * v, 0.3 - 0.4 * np.exp(-2 * v)
+        return mu * facets.pressure, mu, (slope * facets.pressure / facets.time_step)[:, None] * along
+
+    coords, _, host = block
+    own = by_law(coords, stribeck)
+    own.cohesive.set_time_step(time_step)
+    own.friction.begin_step(coords)
+    x = find_equilibrium(host(0.0), own, coords, range(8)).x
+    own.friction.commit_step(x)
+    for _ in range(3):
+        found = find_equilibrium(host(0.35), own, x, range(8))
+        speed = (found.x - x)[:, 0].mean() / time_step
+        own.friction.commit_step(found.x)
+        x = found.x
+    # Walls that lean a little bear a few ten thousandths.
+    assert 0.1 + 0.2 * np.exp(-2 * speed) + 0.3 * speed == pytest.approx(0.35, rel=1e-3), speed
+
+
 def test_a_cap_holds_and_the_check_knows_its_corner():
     own = by_law(SQUARE, capped(0.2))
     own.friction.begin_step(SQUARE)
@@ -172,7 +197,13 @@ def test_what_cannot_be_is_refused():
         contact.pairs.set(*PAIR, friction_law=coulomb, history=-1)
     with pytest.raises(ValueError, match="transverse_coefficient"):
         contact.pairs.set(*PAIR, friction_law=coulomb, transverse_coefficient=0.1, direction=(1, 0, 0))
+    with pytest.raises(errors.UnsupportedError, match="wear coefficient beside your own law of friction"):
+        contact.pairs.set_wear(*PAIR, 1e-6, 0.0)
     contact.pairs.reset(*PAIR)
+    contact.pairs.set_wear(*PAIR, 1e-6, 0.0)
+    with pytest.raises(errors.UnsupportedError, match="wear coefficient beside your own law of friction"):
+        contact.pairs.set(*PAIR, friction_law=coulomb)
+    contact.pairs.set_wear(*PAIR, 0.0, 0.0)
     assert friction_of(contact, SQUARE + [0.1, 0.0]) == 0
 
 

@@ -14,6 +14,9 @@ impl<const D: usize> Resident<D> {
         options: PairOptions,
         law: Arc<HostFriction>,
     ) -> Result<(), Failure> {
+        // A pair that wears goes on to do so, which is refused here.
+        let wear_coefficients = self.pair_options(partners)?.wear_coefficients;
+        let options = PairOptions { wear_coefficients, ..options };
         Ok(self.held.contact_mut().set_friction_law_pair(partners, options, law)?)
     }
 
