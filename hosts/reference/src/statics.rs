@@ -15,6 +15,8 @@
 //! whatever the stiffness. [`FixedPoint`] is the loop of Wang, Xu and Xue (Algorithm 2), to compare. [`Linearised`] contact is a part
 //! of the bodies to the search.
 //!
+//! [`Rigid`] bodies are nodes that supports carry along, and degrees of freedom that are joined.
+//!
 //! A load step is a step of friction, committed where the path accepts it; a step that is halved leaves nothing behind.
 //!
 //! For the fiber law the lines are kept during a solve, so that the forces are those of one energy; its forces are not
@@ -32,6 +34,7 @@ mod error;
 mod fixed_point;
 mod follower;
 mod iteration;
+mod joined;
 mod linearised;
 mod matrices;
 mod named_surfaces;
@@ -40,6 +43,7 @@ mod path;
 mod pressure;
 mod problem;
 mod report;
+mod rigid;
 mod search;
 mod turn;
 mod untouched;
@@ -54,3 +58,4 @@ pub use newton_settings::{FrictionPressure, NewtonSettings};
 pub use path::Path;
 pub use pressure::{NodalPressure, nodal_pressures, nodal_tractions};
 pub use problem::Problem;
+pub use rigid::{Carried, Rigid, RigidMotion};

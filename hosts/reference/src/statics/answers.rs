@@ -1,7 +1,8 @@
 //! What the library's search asks of the bodies.
 
 use super::condensed_step::Asked;
-use super::equilibrium::{Equilibrium, by_nodes};
+use super::equilibrium::Equilibrium;
+use super::joined::{led, own_diagonal};
 use crate::fem::Law;
 use fmc_contact::contact::TangentPart;
 use fmc_contact::contact::equilibrium::{Answer, ContactStepOptions, Request};
@@ -27,12 +28,7 @@ impl<const D: usize> Equilibrium<D> {
                 false => self.elastic().product(vector),
                 true => self.magnitudes().product(vector),
             }),
-            Request::Diagonal => {
-                let mut diagonal = vec![0.0; self.problem.model.node_count() * D];
-                let elastic = self.elastic();
-                elastic.entries().filter(|(row, column, _)| row == column).for_each(|(row, _, k)| diagonal[row] = k);
-                Answer::Vector(diagonal)
-            }
+            Request::Diagonal => Answer::Vector(self.diagonal()),
             Request::Solve { x, part, shift, right } => match self.solved((x, *part, *shift), right) {
                 Ok(Some(step)) => Answer::Vector(step),
                 Ok(None) => Answer::Refused("the matrix is singular".into()),
@@ -51,7 +47,7 @@ impl<const D: usize> Equilibrium<D> {
 
     /// Internal less external forces, and their energy. Linearised contact counts as a part of the bodies.
     fn bodies_at(&self, x: &[f64], load: f64) -> (Vec<f64>, f64) {
-        let u: Vec<[f64; D]> = by_nodes(x);
+        let u = self.by_unknowns(x);
         let mut forces = vec![[0.0; D]; u.len()];
         let mut energy = self.problem.model.internal(&u, &mut forces);
         for (node, (force, u)) in forces.iter_mut().zip(&u).enumerate() {
@@ -64,7 +60,7 @@ impl<const D: usize> Equilibrium<D> {
         if let Some(linearised) = &self.problem.linearised {
             energy += linearised.add_forces(&mut forces, &self.problem.contact.law, &u);
         }
-        (forces.into_flattened(), energy)
+        (self.matrices.equations.led(forces.into_flattened()), energy)
     }
 
     /// Whether the bodies' forces are linear in their displacement.
@@ -81,16 +77,40 @@ impl<const D: usize> Equilibrium<D> {
         {
             return Arc::clone(elastic);
         }
-        let u: Vec<[f64; D]> = by_nodes(&self.linearised_at);
+        let u = self.by_unknowns(&self.linearised_at);
         let bodies = self.problem.model.tangent(&u);
         let touching = self.problem.linearised.iter().flat_map(|l| l.tangent(&self.problem.contact.law, &u));
-        let elastic = Arc::new(Lower::new(u.len() * D, bodies.iter().chain(touching)));
+        let entries = bodies.iter().chain(touching);
+        let elastic = Arc::new(match self.matrices.equations.has_joined() {
+            true => Lower::new(u.len() * D, led(&self.matrices.equations, entries).into_iter()),
+            false => Lower::new(u.len() * D, entries),
+        });
         self.matrices.elastic = Some((Arc::clone(&elastic), self.linearised_at.clone()));
         elastic
     }
 
+    /// Its diagonal; of what is joined, the sum of that of every degree of freedom alone.
+    fn diagonal(&mut self) -> Vec<f64> {
+        if self.matrices.equations.has_joined() {
+            let bodies = self.problem.model.tangent(&self.by_unknowns(&self.linearised_at));
+            return own_diagonal(&self.matrices.equations, bodies.iter());
+        }
+        let mut diagonal = vec![0.0; self.problem.model.node_count() * D];
+        let elastic = self.elastic();
+        elastic.entries().filter(|(row, column, _)| row == column).for_each(|(row, _, k)| diagonal[row] = k);
+        diagonal
+    }
+
     /// The same with the magnitudes of all entries.
     fn magnitudes(&mut self) -> Lower {
+        let equations = &self.matrices.equations;
+        if equations.has_joined() {
+            let bodies = self.problem.model.tangent(&self.by_unknowns(&self.linearised_at));
+            let led = |(row, column, value): (usize, usize, f64)| {
+                (equations.leader(row), equations.leader(column), value.abs())
+            };
+            return Lower::new(bodies.size, bodies.iter().map(led));
+        }
         let elastic = self.elastic();
         Lower::new(elastic.size(), elastic.entries().map(|(row, column, value)| (row, column, value.abs())))
     }
@@ -108,8 +128,16 @@ impl<const D: usize> Equilibrium<D> {
             return Ok(Some(spread(self, step)));
         }
         let elastic = self.elastic();
-        let tangent = self.contact.tangent(&self.placed(&by_nodes(x)), part)?;
-        let touching: Entries = self.matrices.equations.entries(tangent.triplets()).collect();
+        let tangent = self.contact.tangent(&self.placed(&self.by_unknowns(x)), part)?;
+        let mut touching: Entries = self.matrices.equations.entries(tangent.triplets()).collect();
+        if shift != 0.0 && self.matrices.equations.has_joined() {
+            // A rigid body has nothing on the diagonal of which a part could be taken.
+            let equations = &self.matrices.equations;
+            let own = self.problem.model.tangent(&self.by_unknowns(&self.linearised_at));
+            let own = own_diagonal(equations, own.iter());
+            let leads = |&equation: &usize| equations.leads(equations.freedom(equation));
+            touching.extend((0..equations.count()).filter(leads).map(|e| (e, e, shift * own[equations.freedom(e)])));
+        }
         let is_symmetric = part != TangentPart::Full || !self.has_friction();
         let found = self.matrices.solve((&elastic, touching), of, is_symmetric, &right);
         let is_finite = |step: &Vec<f64>| step.iter().all(|entry| entry.is_finite());

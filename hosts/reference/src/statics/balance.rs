@@ -1,6 +1,6 @@
 //! Forces and energies of a state.
 
-use crate::fem::Constraints;
+use super::equations::Equations;
 use fmc_contact::ContactForces;
 
 /// Energies of a displacement, and what they miss to balance.
@@ -14,7 +14,7 @@ pub struct Balance<const D: usize> {
     pub friction_energy: f64,
     /// Work of the loads.
     pub work: f64,
-    /// Internal less contact and external force of every node; on what is held, the reaction.
+    /// Internal less contact and external force of every node; on what is held, the reaction, and on what is joined, that of what joins it.
     pub residual: Vec<[f64; D]>,
     /// Norm of the residual on what is not held.
     pub norm: f64,
@@ -41,7 +41,7 @@ impl<const D: usize> Balance<D> {
         contact: ContactForces<D>,
         load: impl Fn(usize) -> [f64; D],
         displacement: &[[f64; D]],
-        supports: &Constraints<D>,
+        equations: &Equations,
     ) -> Self {
         let (mut work, mut squares) = (0.0, [0.0; 3]);
         let mut residual = internal;
@@ -54,9 +54,8 @@ impl<const D: usize> Balance<D> {
                 r[axis] -= touch[axis] + external[axis];
             }
         }
-        let mut free = residual.clone();
-        supports.clear(&mut free);
-        let norm = free.iter().flatten().map(|r| r * r).sum::<f64>().sqrt();
+        let free = equations.gathered(&equations.led(residual.as_flattened().to_vec()));
+        let norm = free.iter().map(|r| r * r).sum::<f64>().sqrt();
         let scale = squares.into_iter().fold(0.0, f64::max).sqrt();
         let friction_energy = contact.friction.stored + contact.friction.dissipated;
         let contact_energy = contact.energy;

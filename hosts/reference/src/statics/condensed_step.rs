@@ -1,6 +1,6 @@
 //! Steps to the equilibrium of the contact with bodies that are linear.
 
-use super::equilibrium::{Equilibrium, by_nodes};
+use super::equilibrium::Equilibrium;
 use super::follower::Follower;
 use fmc_contact::contact::TangentPart;
 use fmc_contact::contact::equilibrium::{Answer, CondensedBodies, ContactStep, ContactStepOptions, ContactStepState};
@@ -76,7 +76,7 @@ impl<const D: usize> Equilibrium<D> {
 
     /// Keeps the equations on which contact acts at a place; whether any of them is new.
     fn keep_touching(&mut self, x: &[f64]) -> Result<bool, Error> {
-        let tangent = self.contact.tangent(&self.placed(&by_nodes(x)), TangentPart::Semidefinite)?;
+        let tangent = self.contact.tangent(&self.placed(&self.by_unknowns(x)), TangentPart::Semidefinite)?;
         let equations = self.matrices.equations.entries(tangent.triplets()).map(|(row, ..)| row);
         Ok(self.matrices.condensed.keep(equations.collect::<Vec<_>>()))
     }
@@ -88,7 +88,7 @@ impl<const D: usize> Equilibrium<D> {
         if way == 0.0 {
             return;
         }
-        let Ok(gaps) = self.contact.gap_constraints(&self.placed(&by_nodes(x)), way) else { return };
+        let Ok(gaps) = self.contact.gap_constraints(&self.placed(&self.by_unknowns(x)), way) else { return };
         let mean = |row: usize| gaps.gaps[row] / gaps.areas[row];
         let mut rows: Vec<usize> = (0..gaps.gaps.len()).filter(|&row| gaps.gaps[row] < way * gaps.areas[row]).collect();
         rows.sort_by(|&p, &q| mean(p).total_cmp(&mean(q)).then(p.cmp(&q)));
@@ -112,7 +112,7 @@ impl<const D: usize> Equilibrium<D> {
         right: &[f64],
     ) -> Result<(Vec<f64>, ContactStep), Error> {
         let near = NEAR * self.shortest_edge;
-        let coords = self.placed(&by_nodes(asked.x));
+        let coords = self.placed(&self.by_unknowns(asked.x));
         let equations = &self.matrices.equations;
         let (dofs, held) = (self.matrices.condensed.freedoms(equations), equations.held());
         self.matrices.condensed.factors_of(elastic, equations)?;

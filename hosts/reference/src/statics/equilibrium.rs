@@ -7,6 +7,7 @@ use super::matrices::Matrices;
 use super::named_surfaces::facets_of;
 use super::newton_settings::NewtonSettings;
 use super::problem::Problem;
+use super::rigid::Rigid;
 use super::untouched::untouched;
 use crate::fem::{Constraints, Model};
 use fmc_contact::contact::{Adjustment, NodalContact, TieSummary};
@@ -55,7 +56,7 @@ impl<const D: usize> Equilibrium<D> {
     /// Undeformed and unloaded.
     ///
     /// # Errors
-    /// [`StaticsError::Length`]; those of the contact.
+    /// [`StaticsError::Length`], [`StaticsError::Joined`]; those of the contact.
     pub fn new(mut problem: Problem<D>) -> Result<Self, StaticsError> {
         let expected = problem.model.node_count();
         if problem.load.is_empty() {
@@ -85,7 +86,8 @@ impl<const D: usize> Equilibrium<D> {
             Some([close, remove]) => contact.adjust(problem.model.coords(), close, remove)?,
             None => Adjustment::default(),
         };
-        let matrices = matrices(&problem.model, &problem.supports);
+        problem.rigid.check(expected, &problem.supports)?;
+        let matrices = matrices(&problem);
         if contact.has_friction() {
             // Its line search goes by the potential of frozen friction, stored and dissipated energy together.
             if problem.contact.friction.memoryless_slip.is_some() {
@@ -107,7 +109,7 @@ impl<const D: usize> Equilibrium<D> {
             false => contact.evaluate(problem.model.coords())?,
         };
         let load = |_| [0.0; D];
-        let balance = Balance::new(0.0, displacement.clone(), touch, load, &displacement, &problem.supports);
+        let balance = Balance::new(0.0, displacement.clone(), touch, load, &displacement, &matrices.equations);
         Ok(Self {
             problem,
             contact,
@@ -223,29 +225,36 @@ impl<const D: usize> Equilibrium<D> {
         if before != now {
             return Err(StaticsError::Length { expected: before.len(), found: now.len() });
         }
-        let load = self.problem.load.clone();
-        self.next_step(supports, load)
+        let (load, joined) = (self.problem.load.clone(), self.problem.rigid.joined.clone());
+        self.next_step(supports, load, Rigid { joined, carried: Vec::new() })
     }
 
-    /// Starts a stage that leads on from the last equilibrium, at load 0 of its own, to other supports and other dead loads. What is
-    /// no longer held is let go: its reaction fades as the new load grows.
+    /// Starts a stage that leads on from the last equilibrium, at load 0 of its own, to other supports, other dead loads and other
+    /// rigid motions. What is no longer held is let go: its reaction fades as the new load grows.
     ///
     /// # Errors
-    /// [`StaticsError::Length`] if there is not one force for each node.
-    pub fn next_step(&mut self, supports: Constraints<D>, load: Vec<[f64; D]>) -> Result<(), StaticsError> {
+    /// [`StaticsError::Length`] if there is not one force for each node, and [`StaticsError::Joined`].
+    pub fn next_step(
+        &mut self,
+        supports: Constraints<D>,
+        load: Vec<[f64; D]>,
+        rigid: Rigid<D>,
+    ) -> Result<(), StaticsError> {
         let expected = self.problem.model.node_count();
         if load.len() != expected {
             return Err(StaticsError::Length { expected, found: load.len() });
         }
+        rigid.check(expected, &supports)?;
         let mut reached: Vec<[f64; D]> = (0..expected).map(|node| self.dead_load(node, self.load)).collect();
         for (node, axis, _) in self.problem.supports.iter().filter(|(node, axis, _)| !supports.contains(*node, *axis)) {
             reached[node][axis] += self.balance.residual[node][axis];
         }
         let held = |supports: &Constraints<D>| supports.iter().map(|(node, axis, _)| (node, axis)).collect::<Vec<_>>();
-        if held(&self.problem.supports) != held(&supports) {
-            self.matrices = matrices(&self.problem.model, &supports);
+        let is_other = held(&self.problem.supports) != held(&supports) || self.problem.rigid.joined != rigid.joined;
+        (self.problem.supports, self.problem.load, self.problem.rigid) = (supports, load, rigid);
+        if is_other {
+            self.matrices = matrices(&self.problem);
         }
-        (self.problem.supports, self.problem.load) = (supports, load);
         (self.from, self.load) = ((self.displacement.clone(), reached), 0.0);
         Ok(())
     }
@@ -272,6 +281,9 @@ impl<const D: usize> Equilibrium<D> {
             let from = self.from.0[node][axis];
             displacement[node][axis] = from + load * (value - from);
         }
+        for carried in &self.problem.rigid.carried {
+            carried.place(self.problem.model.coords(), load, displacement);
+        }
     }
 
     /// Forces and energies at a displacement.
@@ -285,7 +297,7 @@ impl<const D: usize> Equilibrium<D> {
         let mut internal = vec![[0.0; D]; displacement.len()];
         let strain = self.problem.model.internal(displacement, &mut internal);
         let external = |node: usize| self.dead_load(node, load);
-        let balance = Balance::new(strain, internal, touch, external, displacement, &self.problem.supports);
+        let balance = Balance::new(strain, internal, touch, external, displacement, &self.matrices.equations);
         if !balance.energy().is_finite() || !balance.norm.is_finite() {
             return Err(StaticsError::Inverted { load, cell: None });
         }
@@ -315,15 +327,35 @@ impl<const D: usize> Equilibrium<D> {
 }
 
 /// Matrices of the degrees of freedom that are free.
-fn matrices<const D: usize>(model: &Model<D>, supports: &Constraints<D>) -> Matrices {
-    let held = supports.iter().map(|(node, axis, _)| node * D + axis);
-    let equations = Equations::new(model.node_count() * D, held);
+fn matrices<const D: usize>(problem: &Problem<D>) -> Matrices {
+    let model = &problem.model;
+    let held = problem.supports.iter().map(|(node, axis, _)| node * D + axis);
+    let equations = Equations::new(model.node_count() * D, held, &problem.rigid.joined);
     let place = |equation: usize| {
         let x = model.coords()[equations.freedom(equation) / D];
         std::array::from_fn(|i| if i < D { x[i] } else { 0.0 })
     };
     let places: Vec<[f64; 3]> = (0..equations.count()).map(place).collect();
     Matrices::new(equations, places)
+}
+
+impl<const D: usize> Equilibrium<D> {
+    /// Displacements of nodes by unknowns: those that are joined keep the distance at which the stage began.
+    pub(super) fn by_unknowns(&self, x: &[f64]) -> Vec<[f64; D]> {
+        let mut all: Vec<[f64; D]> = by_nodes(x);
+        let equations = &self.matrices.equations;
+        if equations.has_joined() {
+            let of = |freedom: usize| x[equations.leader(freedom)] + self.apart(freedom);
+            all.as_flattened_mut().iter_mut().enumerate().for_each(|(freedom, u)| *u = of(freedom));
+        }
+        all
+    }
+
+    /// How far a degree of freedom was from the one that stands for it when the stage began.
+    pub(super) fn apart(&self, freedom: usize) -> f64 {
+        let (leader, at) = (self.matrices.equations.leader(freedom), self.from.0.as_flattened());
+        if leader == freedom { 0.0 } else { at[freedom] - at[leader] }
+    }
 }
 
 /// A vector of all degrees of freedom, by nodes.

@@ -61,6 +61,13 @@ pub enum StaticsError {
         /// Its length.
         found: usize,
     },
+    /// A degree of freedom is joined twice, joined and held, or carried and not held.
+    Joined {
+        /// Node.
+        node: usize,
+        /// Axis.
+        axis: usize,
+    },
     /// Whoever watched broke it off.
     Interrupted,
 }
@@ -95,6 +102,10 @@ impl fmt::Display for StaticsError {
             Self::Length { expected, found } => {
                 write!(f, "an array has {found} entries, but there are {expected} nodes")
             }
+            Self::Joined { node, axis } => write!(
+                f,
+                "axis {axis} of node {node} is joined twice, joined and held, or carried and not held; joined ones ascend"
+            ),
             Self::Interrupted => write!(f, "interrupted"),
         }
     }

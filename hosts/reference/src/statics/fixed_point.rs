@@ -43,6 +43,9 @@ impl<const D: usize> Equilibrium<D> {
     /// # Errors
     /// Those of [`StaticsError`].
     pub fn fixed_point(&mut self, settings: FixedPoint, watch: Watch) -> Result<FixedPointEnd, StaticsError> {
+        if self.matrices.equations.has_joined() {
+            return Err(fmc_contact::Error::Unsupported { what: "the fixed point of bodies that are joined" }.into());
+        }
         let load = 1.0;
         let linear = self.is_linear();
         let mut u = self.displacement.clone();

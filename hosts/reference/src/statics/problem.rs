@@ -1,6 +1,7 @@
 //! What a solution is sought for.
 
 use super::linearised::Linearised;
+use super::rigid::Rigid;
 use crate::fem::{Constraints, Model};
 use fmc_contact::contact::PairOptions;
 use fmc_contact::{Obstacle, Options};
@@ -21,6 +22,8 @@ pub struct Problem<const D: usize> {
     pub linearised: Option<Linearised>,
     /// Degrees of freedom that are held, and their displacements at full load.
     pub supports: Constraints<D>,
+    /// What moves rigidly.
+    pub rigid: Rigid<D>,
     /// Dead forces on the nodes at full load; empty for none.
     pub load: Vec<[f64; D]>,
     /// Planes of symmetry, each by a point and a normal: faces in them are no surface.
@@ -40,6 +43,7 @@ impl<const D: usize> Problem<D> {
             obstacles: Vec::new(),
             linearised: None,
             supports: Constraints::default(),
+            rigid: Rigid::default(),
             load: Vec::new(),
             symmetry_planes: Vec::new(),
             adjust: None,

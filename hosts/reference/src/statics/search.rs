@@ -1,7 +1,7 @@
 //! The library's search for an equilibrium, with the bodies as its host.
 
 use super::balance::Balance;
-use super::equilibrium::{Equilibrium, by_nodes};
+use super::equilibrium::Equilibrium;
 use super::error::StaticsError;
 use super::iteration::{Iteration, Tangent};
 use super::newton_settings::FrictionPressure;
@@ -71,7 +71,7 @@ impl<const D: usize> Equilibrium<D> {
         DriverOptions {
             tolerance: settings.tolerance,
             max_solves: settings.most_iterations,
-            is_condensed: self.problem.linearised.is_none(),
+            is_condensed: self.problem.linearised.is_none() && !self.matrices.equations.has_joined(),
             is_condensed_first: true,
             is_condensed_on_contact: true,
             penetration: settings.penetration,
@@ -83,13 +83,11 @@ impl<const D: usize> Equilibrium<D> {
     }
 
     fn unknowns(&self) -> Unknowns<D> {
-        let count = self.problem.model.node_count() * D;
-        Unknowns {
-            count,
-            of_coordinate: (0..count).map(Some).collect(),
-            base: self.problem.model.coords().to_vec(),
-            free: self.matrices.equations.free(),
-        }
+        let (count, equations) = (self.problem.model.node_count() * D, &self.matrices.equations);
+        let mut base = self.problem.model.coords().to_vec();
+        base.as_flattened_mut().iter_mut().enumerate().for_each(|(freedom, x)| *x += self.apart(freedom));
+        let of_coordinate = (0..count).map(|freedom| Some(equations.leader(freedom))).collect();
+        Unknowns { count, of_coordinate, base, free: equations.free() }
     }
 
     /// Reports a step that is asked for.
@@ -101,7 +99,7 @@ impl<const D: usize> Equilibrium<D> {
             _ => return Ok(()),
         };
         self.iterations += 1;
-        let balance = self.evaluate(&by_nodes(x), load)?;
+        let balance = self.evaluate(&self.by_unknowns(x), load)?;
         let told = Iteration { tangent: Some(tangent), ..Iteration::at(&balance, load, report.count()) };
         report.asked(told, x, watch)
     }
@@ -116,7 +114,7 @@ impl<const D: usize> Equilibrium<D> {
         self.updates += found.updates;
         self.warnings = found.warnings;
         self.problem.contact.law = self.contact.options().law;
-        let displacement = by_nodes(&found.x);
+        let displacement = self.by_unknowns(&found.x);
         let balance = self.evaluate(&displacement, load)?;
         let residual = found.residuals.last().copied().unwrap_or(0.0);
         report.ended(Iteration { residual, ..Iteration::at(&balance, load, report.count()) }, &found.x, watch)?;

@@ -9,5 +9,6 @@ mod hertz;
 mod patch;
 mod pin;
 mod refusals;
+mod rigid;
 mod swallowed;
 mod tips;

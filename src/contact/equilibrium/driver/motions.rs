@@ -82,9 +82,16 @@ impl Motions {
         let own = own_diagonal(host, &diagonal).await?;
         let sum = |a: &[f64], b: &[f64], of: &[f64]| a.iter().zip(b).zip(of).map(|((a, b), k)| a * b * k).sum::<f64>();
         let weighted = |a: &[f64], b: &[f64]| sum(a, b, &diagonal);
+        let is_shared = host.unknowns.are_shared();
         let mut fields = Vec::new();
         for body in 0..assembly.rows.len() {
-            fields.extend(of_body(host, assembly, body).into_iter().filter(|field| weighted(field, field) > 0.0));
+            let found = of_body(host, assembly, body).into_iter().filter(|field| weighted(field, field) > 0.0);
+            // Bodies that share unknowns may have the same motion.
+            found.for_each(|field| {
+                if !(is_shared && fields.contains(&field)) {
+                    fields.push(field)
+                }
+            });
         }
         let count = fields.len();
         let mut products = Vec::with_capacity(count);
@@ -219,6 +226,7 @@ fn of_body<const D: usize>(host: &Host<D>, assembly: &Assembly<D>, body: usize) 
     let centre = sum / rows.len().max(1) as f64;
     let arm = |row: usize| assembly.position[row] - centre;
     let reach = rows.iter().map(|&row| arm(row).amax()).fold(0.0, f64::max).max(f64::MIN_POSITIVE);
+    let is_shared = host.unknowns.are_shared();
     let field = |motion: &dyn Fn(usize) -> Vector<D>| {
         let mut field = vec![0.0; host.unknowns.count];
         for &row in rows {
@@ -229,7 +237,13 @@ fn of_body<const D: usize>(host: &Host<D>, assembly: &Assembly<D>, body: usize) 
                 }
             }
         }
-        host.unknowns.freed(field)
+        // Coordinates that share an unknown cannot move apart: such a motion is none.
+        let agrees = |row: usize, axis: usize| match host.unknowns.of_coordinate[row * D + axis] {
+            Some(unknown) => !host.unknowns.free[unknown] || field[unknown] == motion(row)[axis],
+            None => true,
+        };
+        let is_made = !is_shared || rows.iter().all(|&row| (0..D).all(|axis| agrees(row, axis)));
+        if is_made { host.unknowns.freed(field) } else { vec![0.0; host.unknowns.count] }
     };
     let unit = |axis: usize| Vector::from_fn(|row, _| if row == axis { 1.0 } else { 0.0 });
     let mut fields: Vec<_> = (0..D).map(|axis| field(&|_| unit(axis))).collect();

@@ -40,6 +40,12 @@ impl<const D: usize> Unknowns<D> {
         }
     }
 
+    /// Whether an unknown moves several coordinates.
+    pub(super) fn are_shared(&self) -> bool {
+        let mut is_taken = vec![false; self.count];
+        self.of_coordinate.iter().flatten().any(|&unknown| std::mem::replace(&mut is_taken[unknown], true))
+    }
+
     /// Coordinates of the contact.
     pub(super) fn coords(&self, x: &[f64]) -> Vec<[f64; D]> {
         let mut coords = self.base.clone();
