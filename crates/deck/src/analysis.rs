@@ -1,14 +1,18 @@
 //! What a file means for its mesh, and its solution.
 //!
 //! `bodies` (connected parts of the mesh) · `facets` (their sizes) · `notes` (what is taken in another sense) ·
-//! `pairs` (who touches, rubs or is tied) · `timed` (a value over a step) · `state` (what is held
+//! `pairs` (who touches, rubs or is tied) · `references`, `shares`, `follow`, `points` (reference nodes: what they move and load, and what names stand for) · `timed` (a value over a step) · `state` (what is held
 //! and loaded, step after step) · `surfaces` (and their faces) · `spread` (loads on faces and volumes) · `symmetry` (planes that supports make) · `tied_parts` (faces that ties name) · `ties` (how far they reach) · `solve` (equilibria) · `result` (what a step leaves) · `warnings` (the library's, in words of files)
 
 mod bodies;
 mod facets;
+mod follow;
 mod notes;
 mod pairs;
+mod points;
+mod references;
 mod result;
+mod shares;
 mod solve;
 mod spread;
 mod state;
@@ -21,6 +25,7 @@ mod warnings;
 
 pub(crate) use bodies::{Bodies, Places};
 pub(crate) use facets::area;
+pub use follow::ReferenceResult;
 pub use result::{PairResult, StepResult};
 pub use solve::{Analysis, SolveOptions, Solved};
 pub use ties::TieResult;

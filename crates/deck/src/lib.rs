@@ -14,7 +14,7 @@ mod fault;
 mod read;
 mod results;
 
-pub use analysis::{Analysis, PairResult, SolveOptions, Solved, StepResult, TieResult};
+pub use analysis::{Analysis, PairResult, ReferenceResult, SolveOptions, Solved, StepResult, TieResult};
 pub use fault::Fault;
 pub use read::{Deck, Note};
 pub use results::{frd_start, frd_step, step_table, vtu};

@@ -2,7 +2,7 @@
 //!
 //! `deck` (all of it) · `scope` (which keyword stands where) · `words` (parameters that a keyword may have) · `names` (nodes, elements and
 //! their sets) · `elements` (types that are solved, and their faces) · `material`, `section` · `amplitude` · `surface` ·
-//! `interaction` (pairs, friction, ties) · `step` (supports and loads) · `output` (requests that change nothing) · `note` (what is taken in another sense)
+//! `interaction` (pairs, friction, ties) · `rigid` (nodes of a reference node) · `step` (supports and loads) · `output` (requests that change nothing) · `note` (what is taken in another sense)
 
 mod amplitude;
 mod deck;
@@ -12,6 +12,7 @@ mod material;
 mod names;
 mod note;
 mod output;
+mod rigid;
 mod scope;
 mod section;
 mod step;
@@ -24,5 +25,6 @@ pub(crate) use elements::face_corners;
 pub(crate) use interaction::{PairRow, TieRow};
 pub(crate) use names::Kind;
 pub use note::Note;
+pub(crate) use rigid::{Members, RigidKind, RigidRow};
 pub(crate) use step::{Boundary, Load, LoadKind, Step};
 pub(crate) use surface::SurfaceRow;

@@ -1,5 +1,7 @@
 //! What a step leaves.
 
+use super::follow::{Borne, ReferenceResult};
+use super::points::Point;
 use super::ties::{self, TieResult};
 use super::warnings::worded;
 use fmc_contact::contact::{Adjustment, Interface, PairForces, PairOptions};
@@ -40,6 +42,10 @@ pub struct StepResult {
     pub reaction: [f64; 3],
     /// Names of node sets whose reactions the file asks for, and the sum of each.
     pub sets: Vec<(String, [f64; 3])>,
+    /// What holds every node of the model, and then every reference node that is none of the model.
+    pub reactions: Vec<[f64; 3]>,
+    /// What reference nodes bear.
+    pub references: Vec<ReferenceResult>,
     /// Sum of the loads.
     pub load: [f64; 3],
     /// Largest displacement of a node.
@@ -55,7 +61,7 @@ pub struct StepResult {
 }
 
 impl StepResult {
-    /// Of a step that ends at a time; `sets` are nodes of the model, by name, and `label` is that of a node in the file.
+    /// Of a step that ends at a time; `sets` are points, by name, and `label` is that of a node in the file.
     ///
     /// # Errors
     /// Those of the contact.
@@ -63,21 +69,24 @@ impl StepResult {
         at: &Equilibrium<D>,
         (number, time): (usize, f64),
         largest_force: f64,
-        sets: &[(String, Vec<usize>)],
+        sets: &[(String, Vec<Point>)],
+        Borne { reactions, references }: Borne,
         label: &dyn Fn(usize) -> u64,
     ) -> Result<Self, StaticsError> {
         let (balance, model) = (at.balance(), at.model());
-        let reaction_of = |is_in: &dyn Fn(usize) -> bool| {
-            let mut sum = [0.0; 3];
-            for (node, axis, _) in at.problem().supports.iter().filter(|(node, ..)| is_in(*node)) {
-                sum[axis] += balance.residual[node][axis];
+        let add = |sum: [f64; 3], force: &[f64; 3]| std::array::from_fn(|k| sum[k] + force[k]);
+        let reaction = reactions.iter().fold([0.0; 3], add);
+        let at_point = |point: &Point| match *point {
+            Point::Node(node) => reactions[node],
+            Point::Reference(number) => {
+                references.iter().find(|result| result.number == number).map_or([0.0; 3], |result| result.force)
             }
-            sum
+            Point::Rotating(number) => {
+                references.iter().find(|result| result.number == number).map_or([0.0; 3], |result| result.moment)
+            }
         };
-        let reaction = reaction_of(&|_| true);
-        let sets =
-            sets.iter().map(|(name, nodes)| (name.clone(), reaction_of(&|node| nodes.binary_search(&node).is_ok())));
-        let sets = sets.collect();
+        let of_set = |points: &[Point]| points.iter().map(at_point).fold([0.0; 3], |sum, force| add(sum, &force));
+        let sets = sets.iter().map(|(name, points)| (name.clone(), of_set(points))).collect();
         let in_space = |v: &[f64; D]| std::array::from_fn(|axis| v.get(axis).copied().unwrap_or(0.0));
         let mut load = [0.0; 3];
         at.problem().load.iter().for_each(|f| (0..D).for_each(|axis| load[axis] += f[axis]));
@@ -119,6 +128,8 @@ impl StepResult {
             adjustment: at.problem().adjust.map(|_| at.adjustment),
             reaction,
             sets,
+            reactions,
+            references,
             load,
             displacement: squares.fold(0.0, f64::max).sqrt(),
             pairs: (0..contact.pairs.len()).map(|row| pair(&contact.pairs, row)).collect(),

@@ -2,15 +2,16 @@
 
 use super::notes::notes;
 use super::pairs::{Pairs, adjustment, check_surfaces, pairs, stiffness};
+use super::points::{Point, points};
 use super::result::StepResult;
-use super::state::{State, nodes};
+use super::state::{Driven, State};
 use super::symmetry::planes;
 use super::{Bodies, Places};
 use crate::Fault;
 use crate::read::{Deck, Note};
 use fmc_contact::contact::PairOptions;
 use fmc_contact::{EnergyLaw, Options};
-use fmc_solid::fem::{Constraints, Model};
+use fmc_solid::fem::Model;
 use fmc_solid::statics::{Equilibrium, Iteration, NewtonSettings, Path, Problem, StaticsError};
 use std::collections::BTreeSet;
 use std::ops::ControlFlow;
@@ -40,15 +41,15 @@ pub struct Analysis<'a, const D: usize> {
     state: State<D>,
     pairs: Pairs,
     /// Node sets whose reactions are asked for.
-    sets: Vec<(String, Vec<usize>)>,
+    sets: Vec<(String, Vec<Point>)>,
     /// Pressure by penetration; 0: found by the search.
     stiffness: f64,
     /// See [`Problem::symmetry_planes`] and [`Problem::adjust`].
     planes: Vec<[[f64; D]; 2]>,
     adjust: Option<[f64; 2]>,
     options: SolveOptions,
-    /// Where the nodes and cells of the model stand in the file: nodes, then cells.
-    pub order: [Vec<usize>; 2],
+    /// Where the nodes and cells of the model stand in the file: nodes, then cells, then reference nodes that are none of the model.
+    pub order: [Vec<usize>; 3],
     /// What is taken in another sense than the file may mean.
     pub notes: Vec<Note>,
 }
@@ -80,15 +81,19 @@ impl<'a, const D: usize> Analysis<'a, D> {
         let mut held: Option<BTreeSet<(usize, usize)>> = None;
         for step in &deck.steps {
             state.begin(deck, bodies, step)?;
-            let now = state.held();
+            let now = state.held(bodies);
             held = Some(held.map_or(now.clone(), |before| before.intersection(&now).copied().collect()));
         }
         let planes = planes(bodies, &held.unwrap_or_default());
         let adjust = adjustment(deck, bodies)?;
         let state = State::new(deck, bodies)?;
-        let sets = deck.reactions.iter().map(|(set, line)| Ok((set.clone(), nodes(deck, bodies, set, *line)?)));
+        let sets = deck
+            .reactions
+            .iter()
+            .map(|(set, line)| Ok((set.clone(), points(deck, bodies, &state.references, (set, *line))?)));
         let sets = sets.collect::<Result<_, Fault>>()?;
-        let order = [places.nodes.clone(), places.cells.clone()];
+        let apart = state.references.iter().filter(|reference| reference.own.is_none() && reference.has_motion());
+        let order = [places.nodes.clone(), places.cells.clone(), apart.map(|reference| reference.node).collect()];
         let notes = notes(deck, &pairs.notes, places.is_finite)?;
         Ok(Self { deck, model, places, state, pairs, sets, stiffness, planes, adjust, options, order, notes })
     }
@@ -107,7 +112,6 @@ impl<'a, const D: usize> Analysis<'a, D> {
         watch: &mut dyn FnMut(usize, &Iteration) -> ControlFlow<()>,
         reached: &mut dyn FnMut(&Equilibrium<D>, StepResult) -> anyhow::Result<()>,
     ) -> anyhow::Result<Solved> {
-        let node_count = self.model.node_count();
         let start = Start {
             pairs: self.pairs.options.iter().map(|(pair, options)| (*pair, *options)).collect(),
             surfaces: self.pairs.surfaces.clone(),
@@ -117,6 +121,7 @@ impl<'a, const D: usize> Analysis<'a, D> {
             options: self.options,
         };
         let label = |node: usize| self.places.nodes.get(node).map_or(0, |&node| self.deck.mesh.node_tags[node]);
+        let undeformed = vec![[0.0; D]; self.model.node_count()];
         let mut largest_force: f64 = 0.0;
         let mut kept = Kept::Model(self.model);
         for (number, step) in self.deck.steps.iter().enumerate() {
@@ -124,18 +129,19 @@ impl<'a, const D: usize> Analysis<'a, D> {
             self.state.begin(self.deck, bodies, step)?;
             let (mut before, mut taken, mut halvings) = (0.0, 0, kept.halvings());
             for time in self.state.stages() {
-                let (supports, load) = self.state.at(time, node_count);
+                let bodies = Bodies { model: kept.model(), places: &self.places };
+                let driven = self.state.at(bodies, time, kept.displacement().unwrap_or(&undeformed));
                 let mut at = match kept {
                     Kept::Model(model) => {
                         let names: Vec<String> = model.parts().iter().map(|part| part.name.clone()).collect();
-                        let found = start.equilibrium(model, (supports, load));
+                        let found = start.equilibrium(model, driven);
                         found.map_err(|error| match untied(&error, &self.pairs, &names) {
                             Some(fault) => anyhow::anyhow!(self.deck.located(&fault)),
                             None => error.into(),
                         })?
                     }
                     Kept::Equilibrium(mut at) => {
-                        at.next_step(supports, load)?;
+                        at.next_step(driven.supports, driven.forces, driven.rigid)?;
                         *at
                     }
                 };
@@ -153,7 +159,8 @@ impl<'a, const D: usize> Analysis<'a, D> {
                 halvings = at.halvings;
                 if time == step.period {
                     let when = (number + 1, self.state.total_time(time));
-                    let mut result = StepResult::new(&at, when, largest_force, &self.sets, &label)?;
+                    let borne = self.state.borne(&at, self.places.is_finite);
+                    let mut result = StepResult::new(&at, when, largest_force, &self.sets, borne, &label)?;
                     if let Some(most) = step.most.filter(|most| *most < taken) {
                         result.warnings.push(format!("the step took {taken} increments, more than its INC={most}"));
                     }
@@ -177,6 +184,13 @@ impl<const D: usize> Kept<D> {
         match self {
             Self::Model(model) => model,
             Self::Equilibrium(at) => at.model(),
+        }
+    }
+
+    fn displacement(&self) -> Option<&[[f64; D]]> {
+        match self {
+            Self::Model(_) => None,
+            Self::Equilibrium(at) => Some(at.displacement()),
         }
     }
 
@@ -218,14 +232,14 @@ impl<const D: usize> Start<D> {
     fn equilibrium(
         &self,
         model: Model<D>,
-        (supports, load): (Constraints<D>, Vec<[f64; D]>),
+        Driven { supports, forces: load, rigid }: Driven<D>,
     ) -> Result<Equilibrium<D>, StaticsError> {
         let SolveOptions { threads, tolerance, penetration } = self.options;
         let contact = Options { threads, ..Options::new(EnergyLaw::depth(self.stiffness)) };
         let (pairs, surfaces) = (self.pairs.clone(), self.surfaces.clone());
         let (symmetry_planes, adjust) = (self.planes.clone(), self.adjust);
         let problem =
-            Problem { supports, load, pairs, surfaces, symmetry_planes, adjust, ..Problem::new(model, contact) };
+            Problem { supports, load, rigid, pairs, surfaces, symmetry_planes, adjust, ..Problem::new(model, contact) };
         let mut at = Equilibrium::new(problem)?;
         at.settings = NewtonSettings { tolerance, penetration, most_iterations: 100, ..NewtonSettings::default() };
         Ok(at)

@@ -1,11 +1,15 @@
 //! What is held and loaded, step after step.
 
 use super::Bodies;
+use super::follow::{self, Borne, Stage, Values};
+use super::points::{Asked, Point, freedom, points};
+use super::references::{Reference, Way, references};
 use super::spread::{Faces, faces, spread};
 use super::timed::{Timed, When};
 use crate::Fault;
-use crate::read::{Amplitude, Boundary, Deck, Kind, Load, LoadKind, Step};
+use crate::read::{Amplitude, Boundary, Deck, Load, LoadKind, Step};
 use fmc_solid::fem::Constraints;
+use fmc_solid::statics::{Equilibrium, Rigid};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// A load on faces or volumes.
@@ -18,14 +22,23 @@ struct SpreadLoad<const D: usize> {
     pulled: Option<String>,
 }
 
+/// What holds and drives the bodies.
+pub(super) struct Driven<const D: usize> {
+    pub(super) supports: Constraints<D>,
+    pub(super) forces: Vec<[f64; D]>,
+    pub(super) rigid: Rigid<D>,
+}
+
 /// Supports and loads during a step.
 pub(super) struct State<const D: usize> {
     faces: Faces,
-    /// By node and axis, with the line.
-    supports: BTreeMap<(usize, usize), (Timed, usize)>,
+    pub(super) references: Vec<Reference<D>>,
+    /// Rotations of the reference nodes at the end of the last stage.
+    turned: Vec<[f64; 3]>,
+    supports: Values,
     /// What was held until the step released it: where it starts, if the step holds it again.
-    released: BTreeMap<(usize, usize), (Timed, usize)>,
-    forces: BTreeMap<(usize, usize), (Timed, usize)>,
+    released: Values,
+    forces: Values,
     /// By set and kind.
     spread: BTreeMap<String, SpreadLoad<D>>,
     end: When,
@@ -34,8 +47,12 @@ pub(super) struct State<const D: usize> {
 impl<const D: usize> State<D> {
     /// Before the first step.
     pub(super) fn new(deck: &Deck, bodies: Bodies<D>) -> Result<Self, Fault> {
+        let faces = faces(bodies);
+        let references = references(deck, bodies, &faces)?;
         let mut state = Self {
-            faces: faces(bodies),
+            faces,
+            turned: vec![[0.0; 3]; references.len()],
+            references,
             supports: BTreeMap::new(),
             released: BTreeMap::new(),
             forces: BTreeMap::new(),
@@ -81,7 +98,8 @@ impl<const D: usize> State<D> {
             self.load(deck, bodies, load)?;
         }
         self.end = When { time: step.period, period: step.period, begun };
-        Ok(())
+        let first = bodies.model.node_count();
+        follow::check(&self.references, first, &self.supports, (step.line, bodies.places.is_finite))
     }
 
     /// Times at which stages of the step end: where something bends, and the end.
@@ -97,16 +115,31 @@ impl<const D: usize> State<D> {
         times
     }
 
-    /// Supports and loads at a time of the step.
-    pub(super) fn at(&self, time: f64, node_count: usize) -> (Constraints<D>, Vec<[f64; D]>) {
-        let when = When { time, ..self.end };
-        let mut supports = Constraints::default();
-        for (&(node, axis), (value, _)) in &self.supports {
+    /// Supports, loads and rigid motions at a time of the step: the end of a stage that begins at a displacement.
+    pub(super) fn at(&mut self, bodies: Bodies<D>, time: f64, displacement: &[[f64; D]]) -> Driven<D> {
+        let (when, first) = (When { time, ..self.end }, bodies.model.node_count());
+        let (mut supports, mut rigid) = (Constraints::default(), Rigid::default());
+        for (&(node, axis), (value, _)) in self.supports.range(..(first, 0)) {
             supports.prescribe([node], axis, value.at(when));
         }
-        let mut forces = vec![[0.0; D]; node_count];
-        for (&(node, axis), (value, _)) in &self.forces {
-            forces[node][axis] += value.at(when);
+        let stage = Stage { bodies, first, when, displacement };
+        for (number, (reference, turned)) in self.references.iter().zip(&mut self.turned).enumerate() {
+            stage.add((number, reference), &self.supports, turned, (&mut supports, &mut rigid));
+        }
+        let mut forces = vec![[0.0; D]; first];
+        for (&(place, axis), (value, _)) in &self.forces {
+            let value = value.at(when);
+            match place.checked_sub(first).map(|number| &self.references[number]) {
+                None => forces[place][axis] += value,
+                Some(Reference { way: Way::Shares(shares), nodes, .. }) => {
+                    for (&node, share) in nodes.iter().zip(shares[axis].iter().flatten()) {
+                        (0..D).for_each(|k| forces[node][k] += value * share[k]);
+                    }
+                }
+                // Its nodes move as one: what is on one of them is on all. Its moments its supports bear.
+                Some(reference) if axis < D => forces[reference.nodes[0]][axis] += value,
+                Some(_) => {}
+            }
         }
         for load in self.spread.values() {
             let value = load.value.at(when);
@@ -114,13 +147,26 @@ impl<const D: usize> State<D> {
                 (0..D).for_each(|axis| sum[axis] += value * force[axis]);
             }
         }
-        (supports, forces)
+        Driven { supports, forces, rigid }
     }
 
     /// Nodes and axes that do not move in this step.
-    pub(super) fn held(&self) -> BTreeSet<(usize, usize)> {
-        let at_rest = self.supports.iter().filter(|(_, (value, _))| value.is_zero());
-        at_rest.map(|(place, _)| *place).collect()
+    pub(super) fn held(&self, bodies: Bodies<D>) -> BTreeSet<(usize, usize)> {
+        let first = bodies.model.node_count();
+        let at_rest = self.supports.range(..(first, 0)).filter(|(_, (value, _))| value.is_zero());
+        let following = follow::at_rest(&self.references, first, &self.supports);
+        at_rest.map(|(place, _)| *place).chain(following).collect()
+    }
+
+    /// What nodes and reference nodes bear at the end of the step.
+    pub(super) fn borne(&self, at: &Equilibrium<D>, is_finite: bool) -> Borne {
+        let first = at.model().node_count();
+        let one = |(number, reference): (usize, &Reference<D>)| {
+            let value = |axis: usize| self.forces.get(&(first + number, axis)).map_or(0.0, |(f, _)| f.at(self.end));
+            follow::result((number, reference), at, (self.turned[number], is_finite), std::array::from_fn(value))
+        };
+        let results = self.references.iter().enumerate().filter_map(one).collect();
+        follow::borne(&self.references, results, at)
     }
 
     /// Time since the first step began.
@@ -130,28 +176,27 @@ impl<const D: usize> State<D> {
 
     fn hold(&mut self, deck: &Deck, bodies: Bodies<D>, row: &Boundary) -> Result<(), Fault> {
         let amplitude = amplitude(deck, row.amplitude.as_ref(), row.line)?;
-        for node in nodes(deck, bodies, &row.set, row.line)? {
+        let asked = Asked { line: row.line, is_motion: true, is_named: row.is_named, value: row.value };
+        for point in points(deck, bodies, &self.references, (&row.set, row.line))? {
             for axis in row.axes[0]..=row.axes[1] {
-                if axis >= D {
-                    // Planes have no third axis; to hold it is no error.
-                    if row.value != 0.0 {
-                        return Err(Fault::new(row.line, "there is no third degree of freedom in 2D"));
-                    }
-                    continue;
-                }
-                let before = self.supports.get(&(node, axis)).or_else(|| self.released.get(&(node, axis)));
+                let place = freedom((deck, bodies), &self.references, (point, axis), &asked)?;
+                let Some(place) = place else { continue };
+                let before = self.supports.get(&place).or_else(|| self.released.get(&place));
                 let start = before.map_or(0.0, |(value, _)| value.first(self.end));
                 let value = Timed::new(start, row.value, amplitude.clone());
-                let now = self.supports.get(&(node, axis)).filter(|(_, line)| *line != 0);
+                let now = self.supports.get(&place).filter(|(_, line)| *line != 0);
                 if let Some((_, line)) = now.filter(|(other, _)| !other.goes_with(&value)) {
-                    let label = deck.mesh.node_tags[bodies.places.nodes[node]];
+                    let label = match point {
+                        Point::Node(node) => deck.mesh.node_tags[bodies.places.nodes[node]],
+                        Point::Reference(number) | Point::Rotating(number) => self.references[number].label,
+                    };
                     let text = format!(
                         "node {label} is moved elsewhere along axis {} by line {line} in the same step",
-                        axis + 1
+                        place.1 + 1
                     );
                     return Err(Fault::new(row.line, text));
                 }
-                self.supports.insert((node, axis), (value, row.line));
+                self.supports.insert(place, (value, row.line));
             }
         }
         Ok(())
@@ -161,16 +206,16 @@ impl<const D: usize> State<D> {
         let amplitude = amplitude(deck, load.amplitude.as_ref(), load.line)?;
         let twice = |line: usize| Fault::new(load.line, format!("this is loaded by line {line} in the same step"));
         if let LoadKind::Force(axis) = load.kind {
-            for node in nodes(deck, bodies, &load.set, load.line)? {
-                if axis >= D {
-                    return Err(Fault::new(load.line, "there is no third degree of freedom in 2D"));
-                }
-                let before = self.forces.get(&(node, axis));
+            let asked = Asked { line: load.line, is_motion: false, is_named: false, value: load.value };
+            for point in points(deck, bodies, &self.references, (&load.set, load.line))? {
+                let place = freedom((deck, bodies), &self.references, (point, axis), &asked)?;
+                let Some(place) = place else { continue };
+                let before = self.forces.get(&place);
                 if let Some((_, line)) = before.filter(|(_, line)| *line != 0) {
                     return Err(twice(*line));
                 }
                 let start = before.map_or(0.0, |(value, _)| value.first(self.end));
-                self.forces.insert((node, axis), (Timed::new(start, load.value, amplitude.clone()), load.line));
+                self.forces.insert(place, (Timed::new(start, load.value, amplitude.clone()), load.line));
             }
             return Ok(());
         }
@@ -204,23 +249,4 @@ fn amplitude(deck: &Deck, name: Option<&String>, line: usize) -> Result<Option<A
     let Some(name) = name else { return Ok(None) };
     let found = deck.amplitudes.get(name).cloned();
     found.map(Some).ok_or_else(|| Fault::new(line, format!("there is no amplitude '{name}'")))
-}
-
-/// Nodes of the model of a set, ascending.
-pub(super) fn nodes<const D: usize>(
-    deck: &Deck,
-    bodies: Bodies<D>,
-    set: &str,
-    line: usize,
-) -> Result<Vec<usize>, Fault> {
-    let model_node = |node: usize| {
-        let label = deck.mesh.node_tags[node];
-        bodies.places.node_of[node]
-            .ok_or_else(|| Fault::new(line, format!("node {label} of '{set}' belongs to no element")))
-    };
-    let found: Result<Vec<usize>, Fault> =
-        deck.names.find(Kind::Node, None, set, line)?.into_iter().map(model_node).collect();
-    let mut found = found?;
-    found.sort_unstable();
-    Ok(found)
 }

@@ -64,6 +64,11 @@ impl Timed {
         self.start == 0.0 && self.target == 0.0
     }
 
+    /// Whether it does not change in its step.
+    pub(super) fn is_constant(&self) -> bool {
+        self.amplitude.is_none() && self.start == self.target
+    }
+
     /// Fades to nothing.
     pub(super) fn fade(&mut self, end: When) {
         *self = Self::new(self.at(end), 0.0, None);

@@ -7,6 +7,7 @@ use super::material::MaterialRow;
 use super::names::{Kind, Names};
 use super::note::Note;
 use super::output::REQUESTS;
+use super::rigid::{RigidKind, RigidRow};
 use super::scope::Scope;
 use super::section::SectionRow;
 use super::step::Step;
@@ -32,6 +33,7 @@ pub struct Deck {
     pub(crate) interactions: BTreeMap<String, Interaction>,
     pub(crate) pairs: Vec<PairRow>,
     pub(crate) ties: Vec<TieRow>,
+    pub(crate) rigid: Vec<RigidRow>,
     /// Sets of nodes whose reactions are asked for, with the line.
     pub(crate) reactions: Vec<(String, usize)>,
     /// What holds from the start.
@@ -119,6 +121,7 @@ impl Deck {
             interactions: BTreeMap::new(),
             pairs: Vec::new(),
             ties: Vec::new(),
+            rigid: Vec::new(),
             reactions: Vec::new(),
             initial: Step::empty(1),
             steps: Vec::new(),
@@ -143,6 +146,9 @@ impl Deck {
         }
         if self.steps.is_empty() {
             return Err(Fault::new(last, "there is no *STEP: nothing is solved"));
+        }
+        if let Some(row) = self.rigid.iter().find(|row| row.kind == RigidKind::Unknown) {
+            return Err(Fault::new(row.line, "this *COUPLING has neither *KINEMATIC nor *DISTRIBUTING"));
         }
         for (name, line) in &open.variants {
             self.notes.push(Note::new(*line, format!("{name}: integrated in full, as without its last letters")));
@@ -243,6 +249,13 @@ impl Deck {
             }
             "CONTACT PAIR" => self.pairs.extend(PairRow::read(keyword, lines, &mut self.notes)?),
             "TIE" => self.ties.extend(TieRow::read(keyword, lines, &mut self.notes)?),
+            "RIGID BODY" if !open.is_in_step => self.rigid.push(RigidRow::read_body(keyword, &scope, lines)?),
+            "KINEMATIC COUPLING" if !open.is_in_step => self.rigid.extend(RigidRow::read_old(keyword, &scope, lines)?),
+            "COUPLING" if !open.is_in_step => self.rigid.push(RigidRow::begin_coupling(keyword, &scope, lines)?),
+            "KINEMATIC" | "DISTRIBUTING" => match self.rigid.last_mut().filter(|row| row.keyword == "*COUPLING") {
+                Some(row) => row.read_kind(keyword, lines)?,
+                None => return Err(Fault::new(keyword.line, format!("*{name} stands behind no *COUPLING"))),
+            },
             _ => self.take_step_keyword(keyword, lines, open)?,
         }
         Ok(())

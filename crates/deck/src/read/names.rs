@@ -42,6 +42,8 @@ enum What {
 struct Instance {
     name: String,
     part: Option<String>,
+    /// Whether a keyword places it: what stands in the model or the assembly itself is one for the mesh, too.
+    is_placed: bool,
 }
 
 /// All labels and sets.
@@ -73,7 +75,11 @@ impl Names {
         let number = |group: Option<i64>| group.filter(|_| has_instances).map(|group| group as usize - 1);
         let cells = mesh.cells().enumerate().map(|(cell, (_, _, tag, group))| (number(group), tag, cell));
         names.add(Kind::Cell, cells.collect::<Vec<_>>());
-        names.instances = mesh.instances.iter().map(|i| Instance { name: i.name.to_uppercase(), part: None }).collect();
+        names.instances = mesh
+            .instances
+            .iter()
+            .map(|i| Instance { name: i.name.to_uppercase(), part: None, is_placed: false })
+            .collect();
         names
     }
 
@@ -88,6 +94,7 @@ impl Names {
             self.instances.iter_mut().find(|instance| Some(&instance.name) == value("NAME").as_ref())
         {
             instance.part = value("PART");
+            instance.is_placed = true;
         }
     }
 
@@ -127,6 +134,12 @@ impl Names {
         self.labels.get(&(Kind::Cell, instance, label)).copied()
     }
 
+    /// Where labels of an instance are kept; those of no instance also where the model or the assembly has them.
+    fn keys(&self, instance: Option<usize>) -> Vec<Option<usize>> {
+        let rest = self.instances.iter().enumerate().filter(|(_, other)| instance.is_none() && !other.is_placed);
+        std::iter::once(instance).chain(rest.map(|(number, _)| Some(number))).collect()
+    }
+
     /// Adds labels, each with its line, to a set.
     pub(super) fn put(&mut self, kind: Kind, scope: &Scope, name: &str, line: usize, labels: &[(u64, usize)]) {
         let member = |&(label, _): &(u64, usize)| Member { line, instance: None, what: What::Labels(label, label, 1) };
@@ -152,7 +165,7 @@ impl Names {
 
     /// Scopes in which names of an instance are looked for.
     pub(crate) fn scopes_of(&self, instance: Option<usize>) -> Vec<Scope> {
-        let Some(Instance { name, part }) = instance.map(|number| &self.instances[number]) else {
+        let Some(Instance { name, part, .. }) = instance.map(|number| &self.instances[number]) else {
             return vec![Scope::Model];
         };
         [Some(Scope::Instance(name.clone())), part.clone().map(Scope::Part)].into_iter().flatten().collect()
@@ -201,9 +214,13 @@ impl Names {
             some => (some, name),
         };
         if let Ok(label) = rest.parse::<u64>() {
-            let index = self.labels.get(&(kind, instance, label));
+            let mut indices = self.keys(instance).into_iter().filter_map(|key| self.labels.get(&(kind, key, label)));
+            let index = indices.next();
             found.push(*index.ok_or_else(|| Fault::new(line, format!("there is no {} {name}", kind.word())))?);
-            return Ok(());
+            return match indices.next() {
+                Some(_) => Err(Fault::new(line, format!("{} {name} is in the model and in the assembly", kind.word()))),
+                None => Ok(()),
+            };
         }
         let key = rest.to_uppercase();
         let of = |scope: Scope| self.sets.get(&(kind, scope, key.clone()));
@@ -221,9 +238,12 @@ impl Names {
             match what {
                 What::Labels(first, last, _) if first > last => {}
                 What::Labels(first, last, step) => {
-                    let range = self.labels.range((kind, instance, *first)..=(kind, instance, *last));
                     let before = found.len();
-                    found.extend(range.filter(|((.., label), _)| (label - first) % step == 0).map(|(_, index)| *index));
+                    for key in self.keys(instance) {
+                        let range = self.labels.range((kind, key, *first)..=(kind, key, *last));
+                        let steps = range.filter(|((.., label), _)| (label - first) % step == 0);
+                        found.extend(steps.map(|(_, index)| *index));
+                    }
                     if found.len() == before {
                         let word = kind.word();
                         return Err(Fault::new(*line, format!("there is no {word} {first} to {last} of set '{name}'")));

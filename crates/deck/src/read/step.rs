@@ -10,8 +10,10 @@ use fmc_mesh_io::inp::{Keyword, Lines, fields};
 pub(crate) struct Boundary {
     pub(crate) line: usize,
     pub(crate) set: String,
-    /// First and last axis, from 0.
+    /// First and last axis, from 0; rotations from 3.
     pub(crate) axes: [usize; 2],
+    /// Whether a name as `ENCASTRE` stands for the axes: points without rotations leave these out.
+    pub(crate) is_named: bool,
     pub(crate) value: f64,
     pub(crate) amplitude: Option<String>,
 }
@@ -30,7 +32,7 @@ pub(crate) struct Load {
 /// What a load is.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum LoadKind {
-    /// A force along an axis, on each node of a set.
+    /// A force along an axis, or from 3 a moment about one, on each node of a set.
     Force(usize),
     /// A pressure on face `P1`, … of the elements of a set, from 0.
     Pressure(usize),
@@ -169,26 +171,34 @@ impl Step {
             let entries: Vec<&str> = fields(text).collect();
             let set = entries[0].trim_matches('"').to_owned();
             let named = entries.get(1).map(|word| word.to_uppercase()).unwrap_or_default();
-            let row = |axes, value| Boundary { line, set: set.clone(), axes, value, amplitude: amplitude.clone() };
+            let row = |axes, is_named, value| Boundary {
+                line,
+                set: set.clone(),
+                axes,
+                is_named,
+                value,
+                amplitude: amplitude.clone(),
+            };
             let all: &[usize] = match named.as_str() {
-                "ENCASTRE" | "PINNED" => &[0, 1, 2],
-                "XSYMM" => &[0],
-                "YSYMM" => &[1],
-                "ZSYMM" => &[2],
+                "ENCASTRE" => &[0, 1, 2, 3, 4, 5],
+                "PINNED" => &[0, 1, 2],
+                "XSYMM" => &[0, 4, 5],
+                "YSYMM" => &[1, 3, 5],
+                "ZSYMM" => &[2, 3, 4],
                 _ => &[],
             };
             if !all.is_empty() {
                 if entries.len() > 2 {
                     return Err(Fault::new(line, format!("{named} has no further fields")));
                 }
-                self.boundaries.extend(all.iter().map(|&axis| row([axis, axis], 0.0)));
+                self.boundaries.extend(all.iter().map(|&axis| row([axis, axis], true, 0.0)));
                 continue;
             }
             let axis = |field: Option<&&str>| -> Result<Option<usize>, Fault> {
                 let Some(field) = field.filter(|field| !field.is_empty()) else { return Ok(None) };
                 match field.parse::<usize>() {
-                    Ok(axis @ 1..=3) => Ok(Some(axis - 1)),
-                    _ => Err(Fault::new(line, format!("degree of freedom {field} is not known, only 1, 2 and 3"))),
+                    Ok(axis @ 1..=6) => Ok(Some(axis - 1)),
+                    _ => Err(Fault::new(line, format!("degree of freedom {field} is not known, only 1 to 6"))),
                 }
             };
             let Some(first) = axis(entries.get(1))? else {
@@ -200,7 +210,7 @@ impl Step {
             if last < first || entries.len() > 4 {
                 return Err(Fault::new(line, "expected a set, first and last degree of freedom, and a value"));
             }
-            self.boundaries.push(row([first, last], value));
+            self.boundaries.push(row([first, last], false, value));
         }
         Ok(())
     }
@@ -214,8 +224,8 @@ impl Step {
             let [set, axis, _] = entries[..] else {
                 return Err(Fault::new(line, "expected a set, a degree of freedom and a force"));
             };
-            let Ok(axis @ 1..=3) = axis.parse::<usize>() else {
-                return Err(Fault::new(line, format!("degree of freedom {axis} is not known, only 1, 2 and 3")));
+            let Ok(axis @ 1..=6) = axis.parse::<usize>() else {
+                return Err(Fault::new(line, format!("degree of freedom {axis} is not known, only 1 to 6")));
             };
             let value = required(line, &entries, 3, "the force")?;
             self.push_load(keyword, line, set, LoadKind::Force(axis - 1), value);

@@ -3,8 +3,10 @@
 //! Source: G. Wittig, CalculiX GraphiX User's Manual, "Result Format": blocks of lines with fixed columns, in ASCII with long labels.
 
 use super::fields::{pressures, stresses};
+use crate::StepResult;
 use crate::read::Deck;
 use fmc_contact::CellType;
+use fmc_mesh_io::in_space;
 use fmc_solid::fem::Model;
 use fmc_solid::statics::Equilibrium;
 use std::fmt::Write;
@@ -34,7 +36,8 @@ struct Numbers {
 }
 
 impl Numbers {
-    fn new(deck: &Deck, [nodes, cells]: &[Vec<usize>; 2]) -> Self {
+    fn new(deck: &Deck, [nodes, cells, apart]: &[Vec<usize>; 3]) -> Self {
+        let nodes: Vec<usize> = nodes.iter().chain(apart).copied().collect();
         if deck.mesh.instances.is_empty() {
             let labels: Vec<u64> = deck.mesh.cells().map(|(_, _, label, _)| label).collect();
             return Self {
@@ -47,12 +50,12 @@ impl Numbers {
 }
 
 /// The mesh: what a file begins with. The last line of a file is `9999`.
-pub fn frd_start<const D: usize>(deck: &Deck, order: &[Vec<usize>; 2], model: &Model<D>) -> String {
+pub fn frd_start<const D: usize>(deck: &Deck, order: &[Vec<usize>; 3], model: &Model<D>) -> String {
     let numbers = Numbers::new(deck, order);
     let mut text = "    1C\n    1UPGM               fmc solve\n".to_owned();
-    put(&mut text, format_args!("    2C{:18}{:12}{:37}1\n", "", model.node_count(), ""));
-    for (x, number) in model.coords().iter().zip(&numbers.nodes) {
-        let x: [f64; 3] = std::array::from_fn(|axis| x.get(axis).copied().unwrap_or(0.0));
+    put(&mut text, format_args!("    2C{:18}{:12}{:37}1\n", "", numbers.nodes.len(), ""));
+    let apart = order[2].iter().map(|&node| deck.mesh.points[node]);
+    for (x, number) in model.coords().iter().map(in_space).chain(apart).zip(&numbers.nodes) {
         put(&mut text, format_args!(" -1{number:10}{}{}{}\n", real(x[0]), real(x[1]), real(x[2])));
     }
     put(&mut text, format_args!(" -3\n    3C{:18}{:12}{:37}1\n", "", model.cell_count(), ""));
@@ -75,31 +78,49 @@ pub fn frd_start<const D: usize>(deck: &Deck, order: &[Vec<usize>; 2], model: &M
     text
 }
 
-/// Results of a step: `DISP`, `STRESS` and `CONTACT`, which holds the pressure alone.
+/// Results of a step: `DISP`, `STRESS`, `CONTACT`, which holds the pressure alone, and `FORC`, what holds the nodes. Reference nodes that belong to
+/// no element come last, with the stress 0.
 pub fn frd_step<const D: usize>(
     deck: &Deck,
-    order: &[Vec<usize>; 2],
+    order: &[Vec<usize>; 3],
     at: &Equilibrium<D>,
-    (number, time): (usize, f64),
+    step: &StepResult,
 ) -> String {
+    let (number, time) = (step.number, step.time);
     let nodes = Numbers::new(deck, order).nodes;
     let mut text = String::new();
+    let apart = step.references.iter().filter(|reference| reference.own.is_none());
+    let of_bodies = at.displacement().iter().map(in_space);
     let displacements: Vec<Vec<f64>> =
-        at.displacement().iter().map(|u| (0..3).map(|axis| u.get(axis).copied().unwrap_or(0.0)).collect()).collect();
-    let components = ["D1", "D2", "D3"].iter().enumerate();
-    let rows: Vec<String> =
-        components.map(|(k, name)| format!(" -5  {name:8}    1    2    {}    0", k + 1)).chain([all()]).collect();
+        of_bodies.chain(apart.map(|reference| reference.displacement)).map(|u| u.to_vec()).collect();
+    let rows = vector_rows(["D1", "D2", "D3"]);
     block(&mut text, "DISP", (number, time), (4, &rows), &nodes, &displacements);
     let rows: Vec<String> = [("SXX", 1, 1), ("SYY", 2, 2), ("SZZ", 3, 3), ("SXY", 1, 2), ("SYZ", 2, 3), ("SZX", 3, 1)]
         .iter()
         .map(|(name, i, j)| format!(" -5  {name:8}    1    4    {i}    {j}"))
         .collect();
-    let values: Vec<Vec<f64>> = stresses(at).into_iter().map(|stress| stress.0.to_vec()).collect();
+    let values: Vec<Vec<f64>> = filled(stresses(at).into_iter().map(|stress| stress.0.to_vec()), nodes.len(), 6);
     block(&mut text, "STRESS", (number, time), (6, &rows), &nodes, &values);
     let rows = [format!(" -5  {:8}    1    1    0    0", "CPRESS")];
-    let values: Vec<Vec<f64>> = pressures(at).into_iter().map(|pressure| vec![pressure]).collect();
+    let values: Vec<Vec<f64>> = filled(pressures(at).into_iter().map(|pressure| vec![pressure]), nodes.len(), 1);
     block(&mut text, "CONTACT", (number, time), (1, &rows), &nodes, &values);
+    let rows = vector_rows(["F1", "F2", "F3"]);
+    let values: Vec<Vec<f64>> = step.reactions.iter().map(|force| force.to_vec()).collect();
+    block(&mut text, "FORC", (number, time), (4, &rows), &nodes, &values);
     text
+}
+
+/// Values, with zeros behind them up to `count`.
+fn filled(values: impl Iterator<Item = Vec<f64>>, count: usize, size: usize) -> Vec<Vec<f64>> {
+    let mut all: Vec<Vec<f64>> = values.collect();
+    all.resize(count, vec![0.0; size]);
+    all
+}
+
+/// Rows of the components of a vector.
+fn vector_rows(names: [&str; 3]) -> Vec<String> {
+    let components = names.iter().enumerate();
+    components.map(|(k, name)| format!(" -5  {name:8}    1    2    {}    0", k + 1)).chain([all()]).collect()
 }
 
 /// The length of the vector, which readers compute.

@@ -1,7 +1,7 @@
 //! A step as text.
 
 use super::frd::real;
-use crate::analysis::{PairResult, StepResult, TieResult};
+use crate::analysis::{PairResult, ReferenceResult, StepResult, TieResult};
 use fmc_contact::contact::Adjustment;
 use std::fmt::Write;
 
@@ -9,7 +9,19 @@ use std::fmt::Write;
 pub fn step_table(step: &StepResult) -> String {
     let vector = |v: &[f64; 3]| v.map(|x| format!("{:>13}", real(x))).join(" ");
     let StepResult {
-        number, time, iterations, reaction, sets, load, displacement, pairs, ties, bodies, warnings, ..
+        number,
+        time,
+        iterations,
+        reaction,
+        sets,
+        references,
+        load,
+        displacement,
+        pairs,
+        ties,
+        bodies,
+        warnings,
+        ..
     } = step;
     let mut text = format!(
         "step {number}, time {time}: {iterations} linear solves so far, {}, largest displacement {displacement:.6e}\n",
@@ -34,6 +46,10 @@ pub fn step_table(step: &StepResult) -> String {
     line("reactions", vector(reaction));
     for (name, sum) in sets {
         line(name, format!("{}  reactions of this set", vector(sum)));
+    }
+    for ReferenceResult { label, force, moment, .. } in references {
+        line(&format!("node {label}"), format!("{}  reaction of this reference node", vector(force)));
+        line("", format!("{}  and its moment", vector(moment)));
     }
     for pair in pairs {
         let kind = if pair.is_tied { "tied" } else { "contact" };

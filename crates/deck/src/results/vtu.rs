@@ -2,12 +2,14 @@
 
 use super::fields::{pressures, stresses};
 use crate::read::Deck;
+use crate::{ReferenceResult, StepResult};
 use fmc_mesh_io::{VtkCell, VtuWriter, in_space};
 use fmc_solid::statics::Equilibrium;
 
 /// The bodies where they were, undeformed. Of the nodes: `displacement`, `contact_force`, `contact_pressure`, `stress` (Cauchy: xx, yy, zz,
 /// xy, yz, xz; carried there from the Gauss points, the mean of the cells about each), `reaction`, `label`. Of the cells: `stress`, `von_mises`, `body` from 0, `label`.
-pub fn vtu<const D: usize>(deck: &Deck, order: &[Vec<usize>; 2], at: &Equilibrium<D>) -> VtuWriter {
+/// Reference nodes that belong to no element are points and cells of their own, of body −1; with any reference node points have a `reaction_moment`.
+pub fn vtu<const D: usize>(deck: &Deck, order: &[Vec<usize>; 3], at: &Equilibrium<D>, step: &StepResult) -> VtuWriter {
     let model = at.model();
     let mut grid = VtuWriter::default();
     for x in model.coords() {
@@ -20,21 +22,43 @@ pub fn vtu<const D: usize>(deck: &Deck, order: &[Vec<usize>; 2], at: &Equilibriu
             bodies.push(number as i64);
         }
     }
-    let vectors = |values: &[[f64; D]]| values.iter().map(in_space).collect::<Vec<_>>();
-    let balance = at.balance();
-    let mut reactions = vec![[0.0; D]; model.node_count()];
-    at.problem().supports.iter().for_each(|(node, axis, _)| reactions[node][axis] = balance.residual[node][axis]);
-    grid.point_vectors("displacement", &vectors(at.displacement()));
-    grid.point_vectors("contact_force", &vectors(&balance.contact.forces));
-    grid.point_vectors("reaction", &vectors(&reactions));
-    grid.point_floats("contact_pressure", &pressures(at).into_iter().map(|p| [p]).collect::<Vec<_>>());
-    grid.point_floats("stress", &stresses(at).into_iter().map(|stress| stress.0).collect::<Vec<_>>());
-    grid.point_floats("label", &order[0].iter().map(|&node| [deck.mesh.node_tags[node] as f64]).collect::<Vec<_>>());
+    // Reference nodes that no body has.
+    let apart: Vec<&ReferenceResult> = step.references.iter().filter(|reference| reference.own.is_none()).collect();
+    for &node in &order[2] {
+        let point = grid.point(deck.mesh.points[node]);
+        grid.cell(VtkCell::Vertex, [point]);
+        bodies.push(-1);
+    }
+    let of_nodes = |values: &[[f64; D]], more: &dyn Fn(&ReferenceResult) -> [f64; 3]| -> Vec<[f64; 3]> {
+        values.iter().map(in_space).chain(apart.iter().map(|reference| more(reference))).collect()
+    };
+    let nothing = |_: &ReferenceResult| [0.0; 3];
+    let contact = &at.balance().contact;
+    grid.point_vectors("displacement", &of_nodes(at.displacement(), &|reference| reference.displacement));
+    grid.point_vectors("contact_force", &of_nodes(&contact.forces, &nothing));
+    grid.point_vectors("reaction", &step.reactions);
+    if !step.references.is_empty() {
+        let mut moments = of_nodes(&vec![[0.0; D]; model.node_count()], &|reference| reference.moment);
+        let own = step.references.iter().filter_map(|reference| Some((reference.own?, reference.moment)));
+        own.for_each(|(node, moment)| moments[node] = moment);
+        grid.point_vectors("reaction_moment", &moments);
+    }
+    let zeros = order[2].len();
+    grid.point_floats("contact_pressure", &with_zeros(pressures(at).into_iter().map(|p| [p]), zeros));
+    grid.point_floats("stress", &with_zeros(stresses(at).into_iter().map(|stress| stress.0), zeros));
+    let nodes = order[0].iter().chain(&order[2]);
+    grid.point_floats("label", &nodes.map(|&node| [deck.mesh.node_tags[node] as f64]).collect::<Vec<_>>());
     let cells = model.stresses(at.displacement());
-    grid.cell_floats("stress", &cells.iter().map(|stress| stress.0).collect::<Vec<_>>());
-    grid.cell_floats("von_mises", &cells.iter().map(|stress| [stress.von_mises()]).collect::<Vec<_>>());
+    grid.cell_floats("stress", &with_zeros(cells.iter().map(|stress| stress.0), zeros));
+    grid.cell_floats("von_mises", &with_zeros(cells.iter().map(|stress| [stress.von_mises()]), zeros));
     grid.cell_integers("body", &bodies);
     let labels: Vec<u64> = deck.mesh.cells().map(|(_, _, label, _)| label).collect();
-    grid.cell_integers("label", &order[1].iter().map(|&cell| labels[cell] as i64).collect::<Vec<_>>());
+    let of_cells = order[1].iter().map(|&cell| labels[cell] as i64);
+    grid.cell_integers("label", &of_cells.chain(std::iter::repeat_n(0, zeros)).collect::<Vec<_>>());
     grid
+}
+
+/// Values, and zeros of reference nodes behind them.
+fn with_zeros<const N: usize>(values: impl Iterator<Item = [f64; N]>, zeros: usize) -> Vec<[f64; N]> {
+    values.chain(std::iter::repeat_n([0.0; N], zeros)).collect()
 }

@@ -21,7 +21,7 @@ fn results_stand_in_their_columns() {
     let (mut text, mut expected) = (String::new(), Vec::new());
     analysis
         .solve(&mut |_, _| ControlFlow::Continue(()), &mut |at, step| {
-            text = frd_start(&deck, &order, at.model()) + &frd_step(&deck, &order, at, (step.number, step.time));
+            text = frd_start(&deck, &order, at.model()) + &frd_step(&deck, &order, at, &step);
             expected = at.displacement().to_vec();
             Ok(())
         })

@@ -2,12 +2,14 @@
 
 mod adjust;
 mod blocks;
+mod blocks_text;
 mod frd;
 mod friction;
 mod hertz;
 mod page;
 mod refusals;
 mod reports;
+mod rigid;
 mod rubber;
 mod scene;
 mod steps;

@@ -54,7 +54,7 @@ pub(crate) fn solved<const D: usize>(name: &str, options: SolveOptions) -> Outco
         contact: Vec::new(),
     };
     let ended = analysis.solve(&mut |_, _| ControlFlow::Continue(()), &mut |at, step| {
-        let found = frd_pressures(&fmc_deck::frd_step(&deck, &order, at, (step.number, step.time)));
+        let found = frd_pressures(&fmc_deck::frd_step(&deck, &order, at, &step));
         all.contact = at.model().coords().iter().copied().zip(found).collect();
         all.steps.push(step);
         all.displacement = at.displacement().to_vec();
@@ -72,15 +72,20 @@ pub(crate) fn largest_off(stresses: &[Stress], expected: [f64; 6]) -> f64 {
     stresses.iter().map(off).fold(0.0, f64::max)
 }
 
-/// What is said of a file: of reading it, or of what it means.
+/// What is said of a file of the plane: of reading it, or of what it means.
 pub(crate) fn said(text: &str, name: &str) -> String {
+    said_in::<2>(text, name)
+}
+
+/// What is said of a file.
+pub(crate) fn said_in<const D: usize>(text: &str, name: &str) -> String {
     let folder = std::env::temp_dir().join(format!("fmc-deck-{}", std::process::id()));
     std::fs::create_dir_all(&folder).unwrap();
     let file = folder.join(name);
     std::fs::write(&file, text).unwrap();
     let said = match Deck::read(&file) {
         Err(error) => error,
-        Ok(deck) => match Analysis::<2>::new(&deck, SolveOptions::default()) {
+        Ok(deck) => match Analysis::<D>::new(&deck, SolveOptions::default()) {
             Err(fault) => deck.located(&fault),
             Ok(_) => "nothing".to_owned(),
         },

@@ -85,11 +85,11 @@ fn run_in<const D: usize>(args: &SolveArgs, deck: &Deck, stop: &AtomicBool) -> R
     let mut frd = String::new();
     let mut reached = |at: &Equilibrium<D>, step: StepResult| -> Result<()> {
         let number = step.number;
-        vtu(deck, &order, at).write(&out.join(format!("step-{number}.vtu")))?;
+        vtu(deck, &order, at, &step).write(&out.join(format!("step-{number}.vtu")))?;
         if frd.is_empty() {
             frd = frd_start(deck, &order, at.model());
         }
-        frd += &frd_step(deck, &order, at, (number, step.time));
+        frd += &frd_step(deck, &order, at, &step);
         write_whole(&out.join(format!("{stem}.frd")), format!("{frd} 9999\n"))?;
         match args.quiet {
             true => Ok(()),
