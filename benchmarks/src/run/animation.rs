@@ -70,12 +70,8 @@ fn shape<const D: usize>(model: &Model<D>, time: f64, file: &Path) -> Result<Sha
 
 /// Corners and value of all cells.
 fn cells<const D: usize>(model: &Model<D>, shape: &Shape) -> impl Iterator<Item = (Vec<[f64; 2]>, f64)> {
-    let conn = model
-        .parts()
-        .iter()
-        .enumerate()
-        .flat_map(|(part, of)| model.conn(part).chunks_exact(of.cell_type.node_count()));
-    let corners = conn.map(|nodes| nodes.iter().map(|&node| shape.coords[node as usize]).collect());
+    let cells = (0..model.parts().len()).flat_map(|part| model.cells(part));
+    let corners = cells.map(|(_, nodes)| nodes.iter().map(|&node| shape.coords[node as usize]).collect());
     corners.zip(shape.von_mises.iter().copied())
 }
 

@@ -10,8 +10,8 @@ use std::collections::HashMap;
 fn boundary(at: &Equilibrium<2>) -> Vec<[[f64; 2]; 2]> {
     let coords = at.coords();
     let mut count: HashMap<[u32; 2], usize> = HashMap::new();
-    for (number, part) in at.model().parts().iter().enumerate() {
-        for nodes in at.model().conn(number).chunks_exact(part.cell_type.node_count()) {
+    for number in 0..at.model().parts().len() {
+        for (_, nodes) in at.model().cells(number) {
             for k in 0..nodes.len() {
                 let [p, q] = [nodes[k], nodes[(k + 1) % nodes.len()]];
                 *count.entry([p.min(q), p.max(q)]).or_default() += 1;

@@ -39,20 +39,31 @@ fn faces_with_middles(dimension: usize, nodes_per_cell: usize) -> Vec<Vec<usize>
     faces(dimension, corners).iter().map(with_middles).collect()
 }
 
+/// The same as [`Mesh::boundary_faces`] of cells of several kinds on the same nodes: nodes of a cell, and the cells.
+pub fn boundary_faces(dimension: usize, blocks: &[(usize, &[u32])]) -> Vec<Vec<u32>> {
+    let mut all: Vec<Vec<u32>> = Vec::new();
+    for &(nodes_per_cell, conn) in blocks {
+        let local = faces_with_middles(dimension, nodes_per_cell);
+        let of_cell =
+            |cell: &[u32]| local.iter().map(|face| face.iter().map(|&k| cell[k]).collect()).collect::<Vec<_>>();
+        all.extend(conn.chunks_exact(nodes_per_cell).flat_map(of_cell));
+    }
+    let sorted = |face: &Vec<u32>| {
+        let mut key = face.clone();
+        key.sort_unstable();
+        key
+    };
+    let mut uses: HashMap<Vec<u32>, usize> = HashMap::new();
+    all.iter().for_each(|face| *uses.entry(sorted(face)).or_default() += 1);
+    all.retain(|face| uses[&sorted(face)] == 1);
+    all
+}
+
 impl<const D: usize> Mesh<D> {
     /// Faces that belong to one cell only, outward, in the order of the cells; corners first, then the nodes in the middle of
     /// their edges and of themselves. Empty for a closed surface.
     pub fn boundary_faces(&self) -> Vec<Vec<u32>> {
-        let local = faces_with_middles(D, self.nodes_per_cell);
-        let all = || self.cells().flat_map(|cell| local.iter().map(|face| face.iter().map(|&k| cell[k]).collect()));
-        let sorted = |face: &Vec<u32>| {
-            let mut key = face.clone();
-            key.sort_unstable();
-            key
-        };
-        let mut uses: HashMap<Vec<u32>, usize> = HashMap::new();
-        all().for_each(|face| *uses.entry(sorted(&face)).or_default() += 1);
-        all().filter(|face| uses[&sorted(face)] == 1).collect()
+        boundary_faces(D, &[(self.nodes_per_cell, &self.conn)])
     }
 
     /// Boundary as a surface of its own, with the nodes it uses.

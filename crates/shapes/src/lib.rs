@@ -46,6 +46,7 @@ mod triangulated;
 mod weld;
 
 pub use ball::ball_tet4;
+pub use boundary::boundary_faces;
 pub use cone::{cone_surface, cone_tet4};
 pub use coned::coned;
 pub use cuboid::{cuboid_hex8, cuboid_surface, cuboid_tet4};

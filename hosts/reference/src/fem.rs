@@ -1,8 +1,8 @@
 //! Finite elements: bodies of cells of first and second order, their energy, forces, stiffness and stress.
 //!
-//! Elements are `Tri3` and `Tet4` with one Gauss point, `Quad4` with 2 × 2 and `Hex8` with 2 × 2 × 2; of second order `Tri6` with
-//! three, `Tet10` with four, `Quad8` and `Quad9` with 3 × 3, `Hex20` and `Hex27` with 3 × 3 × 3. All are isoparametric, with curved
-//! edges where the nodes in their middle say so, and without any reduced integration or stabilisation. 2D is plane strain, per unit thickness. Everything is referred
+//! Elements are `Tri3` and `Tet4` with one Gauss point, `Quad4` with 2 × 2 `Hex8` with 2 × 2 × 2, and `Wedge6` with 3 × 2; of second order `Tri6` with
+//! three, `Tet10` with four, `Quad8` and `Quad9` with 3 × 3, `Hex20` and `Hex27` with 3 × 3 × 3, `Wedge15` with 3 × 3. A part may have cells of several types on the same nodes. All are isoparametric, with curved
+//! edges where the nodes in their middle say so, and without any reduced integration or stabilisation. 2D is plane strain or plane stress, per unit thickness. Everything is referred
 //! to the undeformed configuration (total Lagrangian): gradients of the shape functions are computed once.
 //!
 //! With H = ∂u/∂X, the displacement gradient, W the energy density of the [`Material`] and P = ∂W/∂H:
@@ -43,12 +43,13 @@ mod stress;
 mod tangent;
 mod tensor;
 mod triplets;
+mod wedge;
 
 pub use constraints::Constraints;
 pub use error::Error;
 pub use faces::Face;
 pub use material::{Law, Material};
-pub use model::Model;
+pub use model::{Cells, Model};
 pub use part::Part;
 pub use stress::Stress;
 pub use triplets::Triplets;

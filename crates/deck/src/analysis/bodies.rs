@@ -1,10 +1,10 @@
-//! Bodies: the connected parts of a mesh, each of one cell type and one material.
+//! Bodies: the connected parts of a mesh, each of one material.
 
 use crate::Fault;
 use crate::read::{Deck, Kind};
 use fmc_contact::CellType;
 use fmc_shapes::Mesh;
-use fmc_solid::fem::{Error, Material, Model, Part};
+use fmc_solid::fem::{Cells, Error, Law, Material, Model, Part};
 
 /// The bodies of a file with their places in it.
 #[derive(Clone, Copy)]
@@ -37,6 +37,14 @@ impl Places {
         let body_of: Vec<usize> = all.iter().map(|(_, nodes, ..)| component[nodes[0] as usize]).collect();
         let mut of_body: Vec<Vec<usize>> = vec![Vec::new(); count];
         body_of.iter().enumerate().for_each(|(cell, &body)| of_body[body].push(cell));
+        // The cells of a type stand together, that of the first cell first.
+        for cells in &mut of_body {
+            let types: Vec<CellType> = cells.iter().map(|&cell| all[cell].0).collect();
+            let mut known = types.clone();
+            known.dedup();
+            let place = |cell: &usize| known.iter().position(|known| *known == all[*cell].0);
+            cells.sort_by_key(|cell| (place(cell), *cell));
+        }
         let mut used: Vec<Vec<usize>> = vec![Vec::new(); count];
         let is_used = {
             let mut is_used = vec![false; deck.mesh.points.len()];
@@ -45,22 +53,21 @@ impl Places {
         };
         (0..is_used.len()).filter(|node| is_used[*node]).for_each(|node| used[component[node]].push(node));
         let mut node_of = vec![None; deck.mesh.points.len()];
-        let (mut nodes, mut parts) = (Vec::new(), Vec::new());
+        let (mut nodes, mut parts, mut more) = (Vec::new(), Vec::new(), Vec::new());
         let mut names = Vec::new();
         for (body, cells) in of_body.iter().enumerate() {
             let name = name(deck, all[cells[0]].3, &mut names);
-            let (material, line) = materials[cells[0]];
+            let material = materials[cells[0]].0;
             let cell_type = all[cells[0]].0;
             for &cell in cells {
                 if materials[cell].0 != material {
-                    let message =
-                        format!("{name} has two materials: solved are bodies of one, or bodies that are tied");
+                    let is_plate = |material: &Material| material.law == Law::PlaneStress;
+                    let what = match is_plate(&materials[cell].0) == is_plate(&material) {
+                        true => "two materials: solved are bodies of one, or bodies that are tied",
+                        false => "elements of plane strain beside such of plane stress",
+                    };
+                    let message = format!("{name} has {what}");
                     return Err(Fault::new(materials[cell].1, message));
-                }
-                if all[cell].0 != cell_type {
-                    let message =
-                        format!("{name} has cells {cell_type:?} and {:?}: solved are bodies of one type", all[cell].0);
-                    return Err(Fault::new(line, message));
                 }
             }
             let first = nodes.len();
@@ -70,11 +77,16 @@ impl Places {
             }
             let coords = used[body].iter().map(|&node| std::array::from_fn(|axis| deck.mesh.points[node][axis]));
             let local = |node: &u32| (node_of[*node as usize].unwrap_or(first) - first) as u32;
-            let conn = cells.iter().flat_map(|&cell| all[cell].1.iter().map(local)).collect();
+            let mut blocks = cells.chunk_by(|p, q| all[*p].0 == all[*q].0).map(|cells| {
+                let conn = cells.iter().flat_map(|&cell| all[cell].1.iter().map(local)).collect();
+                Cells { part: body, cell_type: all[cells[0]].0, conn }
+            });
+            let Some(Cells { conn, .. }) = blocks.next() else { continue };
             let mesh = Mesh { coords: coords.collect(), conn, nodes_per_cell: cell_type.node_count() };
+            more.extend(blocks);
             parts.push(Part { name, cell_type, mesh, material });
         }
-        let model = Model::new(parts).and_then(|model| model.with_threads(threads)).map_err(|error| {
+        let model = Model::with_cells(parts, &more).and_then(|model| model.with_threads(threads)).map_err(|error| {
             let Error::InvertedCell { part, cell } = &error else { return Fault::new(1, error.to_string()) };
             let body = names.iter().position(|name| name == part).unwrap_or(0);
             let cell = of_body[body][*cell];
@@ -136,6 +148,17 @@ fn materials(deck: &Deck, is_finite: bool) -> Result<Vec<(Material, usize)>, Fau
                 }
             }
         }
+    }
+    for (row, (found, (_, _, label, _))) in deck.elements.iter().zip(found.iter_mut().zip(deck.mesh.cells())) {
+        let Some((material, _)) = found.as_mut().filter(|_| row.kind.starts_with("CPS")) else { continue };
+        if material.law != Law::LinearElastic {
+            let message = format!(
+                "element {label} of type {} has plane stress, which is known for *ELASTIC without NLGEOM",
+                row.kind
+            );
+            return Err(Fault::new(row.line, message));
+        }
+        material.law = Law::PlaneStress;
     }
     let labels = deck.mesh.cells().map(|(_, _, label, _)| label);
     let missing = |label: u64, line: usize| Fault::new(line, format!("element {label} has no *SOLID SECTION"));

@@ -12,7 +12,10 @@ pub(crate) struct ElementRow {
 }
 
 /// Types that are solved, up to their variants.
-const SOLVED: [&str; 9] = ["CPE3", "CPE4", "CPE6", "CPE8", "C3D4", "C3D8", "C3D10", "C3D20", "C3D27"];
+const SOLVED: [&str; 15] = [
+    "CPE3", "CPE4", "CPE6", "CPE8", "CPS3", "CPS4", "CPS6", "CPS8", "C3D4", "C3D6", "C3D8", "C3D10", "C3D15", "C3D20",
+    "C3D27",
+];
 
 /// The cell of an element type, and whether it is a variant that is integrated in full here.
 pub(super) fn solved(line: usize, name: &str) -> Result<(CellType, bool), Fault> {
@@ -22,8 +25,9 @@ pub(super) fn solved(line: usize, name: &str) -> Result<(CellType, bool), Fault>
     match (SOLVED.contains(&stem), cell_type_of_element(&upper)) {
         (true, Some(cell_type)) if !upper.ends_with(['T', 'P']) => Ok((cell_type, stem != upper)),
         (true, _) => refused("temperatures and pore pressures are not known".to_owned()),
-        _ if upper.starts_with("CPS") || upper.starts_with("M3D") => {
-            refused("plane stress is not known; 2D is plane strain (CPE)".to_owned())
+        _ if upper.starts_with("M3D") => refused("membranes are not known".to_owned()),
+        _ if upper.starts_with("R3D") => {
+            refused("rigid surfaces have no inside: take a tool of solid elements and *RIGID BODY".to_owned())
         }
         _ if upper.starts_with("CAX") => refused("axisymmetry is not known".to_owned()),
         _ => refused(format!("known are {}, with their variants R, I, H, M", SOLVED.join(", "))),
@@ -37,11 +41,13 @@ pub(crate) fn face_corners(cell_type: CellType) -> &'static [&'static [usize]] {
     const TETRAHEDRON: [&[usize]; 4] = [&[0, 1, 2], &[0, 3, 1], &[1, 3, 2], &[2, 3, 0]];
     const HEXAHEDRON: [&[usize]; 6] =
         [&[0, 1, 2, 3], &[4, 7, 6, 5], &[0, 4, 5, 1], &[1, 5, 6, 2], &[2, 6, 7, 3], &[3, 7, 4, 0]];
+    const WEDGE: [&[usize]; 5] = [&[0, 1, 2], &[3, 5, 4], &[0, 3, 4, 1], &[1, 4, 5, 2], &[2, 5, 3, 0]];
     match cell_type.straight() {
         CellType::Tri3 => &TRIANGLE,
         CellType::Quad4 => &QUADRILATERAL,
         CellType::Tet4 => &TETRAHEDRON,
         CellType::Hex8 => &HEXAHEDRON,
+        CellType::Wedge6 => &WEDGE,
         _ => &[],
     }
 }

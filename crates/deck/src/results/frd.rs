@@ -16,10 +16,13 @@ fn element(cell_type: CellType) -> Option<(usize, &'static [usize])> {
     const ALL: [usize; 10] = [0, 1, 2, 3, 4, 5, 6, 7, 8, 9];
     // The middles of the vertical edges come before those of the upper ones.
     const HEX20: [usize; 20] = [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 16, 17, 18, 19, 12, 13, 14, 15];
+    const WEDGE15: [usize; 15] = [0, 1, 2, 3, 4, 5, 6, 7, 8, 12, 13, 14, 9, 10, 11];
     match cell_type {
         CellType::Hex8 => Some((1, &ALL[..8])),
+        CellType::Wedge6 => Some((2, &ALL[..6])),
         CellType::Tet4 => Some((3, &ALL[..4])),
         CellType::Hex20 | CellType::Hex27 => Some((4, &HEX20)),
+        CellType::Wedge15 => Some((5, &WEDGE15)),
         CellType::Tet10 => Some((6, &ALL)),
         CellType::Tri3 => Some((7, &ALL[..3])),
         CellType::Tri6 => Some((8, &ALL[..6])),
@@ -60,10 +63,10 @@ pub fn frd_start<const D: usize>(deck: &Deck, order: &[Vec<usize>; 3], model: &M
     }
     put(&mut text, format_args!(" -3\n    3C{:18}{:12}{:37}1\n", "", model.cell_count(), ""));
     let mut labels = numbers.cells.iter();
-    for (number, part) in model.parts().iter().enumerate() {
-        let Some((kind, places)) = element(part.cell_type) else { continue };
-        for nodes in model.conn(number).chunks_exact(part.cell_type.node_count()) {
+    for number in 0..model.parts().len() {
+        for (cell_type, nodes) in model.cells(number) {
             let label = labels.next().copied().unwrap_or(0);
+            let Some((kind, places)) = element(cell_type) else { continue };
             put(&mut text, format_args!(" -1{label:10}{kind:5}{:5}{:>5}\n", 0, number + 1));
             for row in places.chunks(if places.len() == 20 { 10 } else { 15 }) {
                 text.push_str(" -2");

@@ -16,9 +16,9 @@ pub fn vtu<const D: usize>(deck: &Deck, order: &[Vec<usize>; 3], at: &Equilibriu
         grid.point(in_space(x));
     }
     let mut bodies = Vec::with_capacity(model.cell_count());
-    for (number, part) in model.parts().iter().enumerate() {
-        for nodes in model.conn(number).chunks_exact(part.cell_type.node_count()) {
-            grid.cell(VtkCell::Mesh(part.cell_type), nodes.iter().map(|&node| node.into()));
+    for number in 0..model.parts().len() {
+        for (cell_type, nodes) in model.cells(number) {
+            grid.cell(VtkCell::Mesh(cell_type), nodes.iter().map(|&node| node.into()));
             bodies.push(number as i64);
         }
     }

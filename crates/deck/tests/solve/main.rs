@@ -3,6 +3,7 @@
 mod adjust;
 mod blocks;
 mod blocks_text;
+mod elements;
 mod frd;
 mod friction;
 mod hertz;

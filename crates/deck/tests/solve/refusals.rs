@@ -30,7 +30,8 @@ fn what_is_not_known_is_named_by_its_line() {
         ("UTOP, P3, 10.", "UTOP, P3NU, 10.", "a load 'P3NU' is not known"),
         ("*DLOAD", "*DLOAD, AMPLITUDE=UP", "there is no amplitude 'UP'"),
         ("*BOUNDARY", "*EQUATION", "*EQUATION is not known"),
-        ("TYPE=CPE4", "TYPE=CPS4", "plane stress is not known"),
+        ("TYPE=CPE4", "TYPE=CAX4", "axisymmetry is not known"),
+        ("TYPE=CPE4", "TYPE=M3D4", "membranes are not known"),
         ("SUPPER, SLOWER", "SUPPER, SUPPER2\n*SURFACE, NAME=SUPPER2\nUTOP", "are surfaces of one body"),
         // Faces that an element does not have.
         ("LTOP, S3", "LTOP, S7", "of type CPE4 has no face S7; its faces are S1 to S4"),

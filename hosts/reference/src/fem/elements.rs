@@ -1,12 +1,12 @@
-//! Elements of one part: what of the reference configuration their integrals need.
+//! Elements of one type of one part: what of the reference configuration their integrals need.
 
 use super::cofactor::cofactor;
 use super::quadrature::gauss_points;
 use super::tensor::{Tensor, from_fn};
-use super::{Error, Material, Part};
+use super::{Cells, Error, Law, Material, Part};
 use fmc_contact::CellType;
 
-/// Elements of one part in flat arrays; node ids are those of the model.
+/// Elements of one type of one part in flat arrays; node ids are those of the model.
 #[derive(Debug)]
 pub(super) struct Elements<const D: usize> {
     pub(super) cell_type: CellType,
@@ -40,14 +40,31 @@ pub(super) struct Cell<'a, const D: usize, const N: usize> {
 }
 
 impl<const D: usize> Elements<D> {
-    /// Elements of a part whose first node is `first_node` of the model.
-    pub(super) fn new(part: &Part<D>, first_node: usize) -> Result<Self, Error> {
-        check(part)?;
-        let points = gauss_points(part.cell_type);
+    /// Elements of a part whose first node is `first_node` of the model, one for each type of its cells: those of its mesh, then `more`.
+    pub(super) fn of_part(part: &Part<D>, more: &[&Cells], first_node: usize) -> Result<Vec<Self>, Error> {
+        let own = (part.cell_type, part.mesh.conn.as_slice());
+        let blocks: Vec<(CellType, &[u32])> =
+            std::iter::once(own).chain(more.iter().map(|cells| (cells.cell_type, cells.conn.as_slice()))).collect();
+        check(part, &blocks)?;
+        let mut first_cell = 0;
+        let new = |block: (CellType, &[u32])| {
+            let elements = Self::new(part, block, (first_cell, first_node))?;
+            first_cell += elements.len();
+            Ok(elements)
+        };
+        blocks.into_iter().map(new).collect()
+    }
+
+    fn new(
+        part: &Part<D>,
+        (cell_type, conn): (CellType, &[u32]),
+        (first_cell, first_node): (usize, usize),
+    ) -> Result<Self, Error> {
+        let points = gauss_points(cell_type);
         let coords = &part.mesh.coords;
         let (mut gradients, mut volumes) = (Vec::new(), Vec::new());
         let (mut shares, mut lumps) = (Vec::new(), Vec::new());
-        for (cell, nodes) in part.mesh.cells().enumerate() {
+        for (cell, nodes) in (first_cell..).zip(conn.chunks_exact(cell_type.node_count())) {
             let mut share = vec![0.0; nodes.len()];
             let mut square = share.clone();
             for point in &points {
@@ -67,13 +84,13 @@ impl<const D: usize> Elements<D> {
                 share.iter_mut().zip(&point.shape).for_each(|(share, shape)| *share += shape * volume);
                 square.iter_mut().zip(&point.shape).for_each(|(square, shape)| *square += shape * shape * volume);
             }
-            lumps.extend(lumped(part.cell_type, &share, &square));
+            lumps.extend(lumped(cell_type, &share, &square));
             shares.extend(share);
         }
-        let conn = part.mesh.conn.iter().map(|node| node + first_node as u32).collect();
-        let (slots, first_slots) = slots_by_node(&part.mesh.conn, coords.len());
+        let (slots, first_slots) = slots_by_node(conn, coords.len());
+        let conn = conn.iter().map(|node| node + first_node as u32).collect();
         Ok(Self {
-            cell_type: part.cell_type,
+            cell_type,
             material: part.material,
             points_per_cell: points.len(),
             first_node,
@@ -147,32 +164,41 @@ fn inverse_transposed<const D: usize>(m: &Tensor<D>) -> (f64, Tensor<D>) {
 }
 
 /// Whether arrays fit together and constants are in their range.
-fn check<const D: usize>(part: &Part<D>) -> Result<(), Error> {
-    let (name, mesh, cell_type) = (|| part.name.clone(), &part.mesh, part.cell_type);
-    let has_elements =
-        matches!(cell_type.straight(), CellType::Tri3 | CellType::Quad4 | CellType::Tet4 | CellType::Hex8);
-    if !has_elements {
-        return Err(Error::NoElement { part: name(), cell_type });
-    }
-    if mesh.nodes_per_cell != cell_type.node_count() || cell_type.dimension() != D {
-        return Err(Error::CellType { part: name(), cell_type, dimension: D, nodes_per_cell: mesh.nodes_per_cell });
-    }
-    if mesh.conn.is_empty() {
-        return Err(Error::Empty);
-    }
+fn check<const D: usize>(part: &Part<D>, blocks: &[(CellType, &[u32])]) -> Result<(), Error> {
+    let (name, mesh) = (|| part.name.clone(), &part.mesh);
     let node_count = mesh.coords.len();
     let mut used = vec![false; node_count];
-    for (cell, nodes) in mesh.cells().enumerate() {
-        for &node in nodes {
-            let out_of_range = || Error::NodeOutOfRange { part: name(), cell, node, node_count };
-            *used.get_mut(node as usize).ok_or_else(out_of_range)? = true;
+    let mut first_cell = 0;
+    for (number, &(cell_type, conn)) in blocks.iter().enumerate() {
+        use CellType::{Hex8, Quad4, Tet4, Tri3, Wedge6};
+        let has_elements = matches!(cell_type.straight(), Tri3 | Quad4 | Tet4 | Hex8 | Wedge6);
+        if !has_elements {
+            return Err(Error::NoElement { part: name(), cell_type });
         }
+        let nodes_per_cell = if number == 0 { mesh.nodes_per_cell } else { cell_type.node_count() };
+        let is_whole = conn.len() % cell_type.node_count() == 0;
+        if nodes_per_cell != cell_type.node_count() || cell_type.dimension() != D || !is_whole {
+            return Err(Error::CellType { part: name(), cell_type, dimension: D, nodes_per_cell });
+        }
+        if conn.is_empty() {
+            return Err(Error::Empty);
+        }
+        for (cell, nodes) in (first_cell..).zip(conn.chunks_exact(nodes_per_cell)) {
+            for &node in nodes {
+                let out_of_range = || Error::NodeOutOfRange { part: name(), cell, node, node_count };
+                *used.get_mut(node as usize).ok_or_else(out_of_range)? = true;
+            }
+        }
+        first_cell += conn.len() / nodes_per_cell;
     }
     if let Some(node) = used.iter().position(|used| !used) {
         return Err(Error::UnusedNode { part: name(), node });
     }
     if let Some(node) = mesh.coords.iter().position(|x| x.iter().any(|x| !x.is_finite())) {
         return Err(Error::NonFiniteCoordinate { part: name(), node });
+    }
+    if D == 3 && part.material.law == Law::PlaneStress {
+        return Err(Error::PlaneStress { part: name() });
     }
     match part.material.flaw() {
         Some((constant, value, range)) => Err(Error::Material { part: name(), name: constant, value, range }),

@@ -45,6 +45,11 @@ pub enum Error {
         /// The node.
         node: usize,
     },
+    /// A part in space has plane stress.
+    PlaneStress {
+        /// Name of the part.
+        part: String,
+    },
     /// A coordinate is infinite or not a number.
     NonFiniteCoordinate {
         /// Name of the part.
@@ -84,10 +89,11 @@ impl fmt::Display for Error {
             Error::CellType { part, cell_type, dimension, nodes_per_cell } => {
                 write!(f, "{part}: {cell_type:?} with {nodes_per_cell} nodes per cell in a {dimension}D model")
             }
+            Error::PlaneStress { part } => write!(f, "{part}: plane stress is known in the plane alone"),
             Error::NoElement { part, cell_type } => {
                 write!(
                     f,
-                    "{part}: there are no elements of {cell_type:?}, only of triangles, quadrilaterals, tetrahedra and hexahedra"
+                    "{part}: there are no elements of {cell_type:?}, only of triangles, quadrilaterals, tetrahedra, wedges and hexahedra"
                 )
             }
             Error::NodeOutOfRange { part, cell, node, node_count } => {

@@ -1,10 +1,11 @@
 //! Stresses of Gauss points carried to the nodes.
 //!
 //! In a cell the stress is the polynomial nearest to its values at the Gauss points: linear in simplices, linear along each axis in
-//! quadrilaterals and hexahedra. A node in the middle of an edge or face has the mean of the corners about it.
+//! quadrilaterals and hexahedra, and in wedges linear in the triangle and along the axis. A node in the middle of an edge or face has the mean of the corners about it.
 
 use super::quadrature::gauss_points;
 use super::shape::{CORNERS, middles};
+use super::wedge::{FAR, NEAR};
 use super::{Model, Stress};
 use fmc_contact::CellType;
 
@@ -39,11 +40,18 @@ impl<const D: usize> Model<D> {
 fn weights(cell_type: CellType) -> Vec<Vec<f64>> {
     let (points, dimension) = (gauss_points(cell_type), cell_type.dimension());
     let corner_count = cell_type.straight().node_count();
+    let is_wedge = cell_type.straight() == CellType::Wedge6;
     let is_simplex = corner_count == dimension + 1;
-    // Barycentric coordinates in simplices, those of the square or cube elsewhere.
+    // Barycentric coordinates in simplices, that along the axis in wedges, those of the square or cube elsewhere.
     let size = if is_simplex { corner_count } else { dimension };
+    let size = if is_wedge { 1 } else { size };
     let corner = |k: usize| -> Vec<f64> {
-        (0..size).map(|i| if is_simplex { f64::from(u8::from(i == k)) } else { CORNERS[k][i] }).collect()
+        let of = |i: usize| match (is_wedge, is_simplex) {
+            (true, _) => [-1.0, 1.0][k / 3],
+            (_, true) => f64::from(u8::from(i == k)),
+            _ => CORNERS[k][i],
+        };
+        (0..size).map(of).collect()
     };
     let mean = |rows: &[Vec<f64>], around: &[usize], length: usize| -> Vec<f64> {
         (0..length).map(|i| around.iter().map(|&k| rows[k][i]).sum::<f64>() / around.len() as f64).collect()
@@ -58,6 +66,11 @@ fn weights(cell_type: CellType) -> Vec<Vec<f64>> {
     let weight = |k: usize, p: usize| -> f64 {
         if points.len() == 1 {
             return 1.0;
+        }
+        if is_wedge {
+            // One point near each edge along the axis, and Legendre polynomials along it.
+            let of_triangle = (f64::from(u8::from(p % 3 == k % 3)) - FAR) / (NEAR - FAR);
+            return of_triangle * 6.0 * points[p].weight * (0.5 + 1.5 * xi[p][0] * places[k][0]);
         }
         if is_simplex {
             // One point near each corner: the matrix of their coordinates is (near − far) I + far.
@@ -81,16 +94,17 @@ mod tests {
     #[test]
     fn linear_fields_are_met() {
         use CellType::*;
-        for cell_type in [Quad4, Tri6, Quad8, Quad9, Hex8, Tet10, Hex20, Hex27] {
+        for cell_type in [Quad4, Tri6, Quad8, Quad9, Hex8, Tet10, Hex20, Hex27, Wedge6, Wedge15] {
             let rows = weights(cell_type);
             let count = cell_type.node_count();
             assert_eq!(rows.len(), count);
             // Any numbers at the corners; a field that is linear between them has means in the middles.
             let corner_count = cell_type.straight().node_count();
             let is_simplex = corner_count == cell_type.dimension() + 1;
-            let at = |k: usize| match is_simplex {
-                true => [0.3, -1.0, 2.0, 0.7][k],
-                false => {
+            let at = |k: usize| match (corner_count, is_simplex) {
+                (6, _) => [0.3, -1.0, 2.0, 0.8, -0.5, 2.5][k],
+                (_, true) => [0.3, -1.0, 2.0, 0.7][k],
+                _ => {
                     0.3 + CORNERS[k][0] - 0.5 * CORNERS[k][1]
                         + if cell_type.dimension() == 3 { CORNERS[k][2] } else { 0.0 }
                 }

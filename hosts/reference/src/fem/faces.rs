@@ -1,6 +1,7 @@
 //! Faces of the boundary.
 
 use super::Model;
+use fmc_shapes::boundary_faces;
 
 /// Face of one cell on the boundary of its part: an edge in 2D, a triangle or quadrilateral in 3D.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -14,9 +15,10 @@ pub struct Face {
 impl<const D: usize> Model<D> {
     /// Faces of a part's boundary all of whose nodes lie, undeformed, where the condition holds.
     pub fn faces_where(&self, part: usize, condition: impl Fn(&[f64; D]) -> bool) -> Vec<Face> {
-        let first = self.nodes_of(part).start as u32;
-        let mut faces = self.parts()[part].mesh.boundary_faces();
-        faces.retain(|face| face.iter().all(|&node| condition(&self.parts()[part].mesh.coords[node as usize])));
-        faces.into_iter().map(|face| Face { part, nodes: face.iter().map(|node| node + first).collect() }).collect()
+        let blocks: Vec<(usize, &[u32])> =
+            self.elements_of(part).iter().map(|e| (e.cell_type.node_count(), e.conn.as_slice())).collect();
+        let mut faces = boundary_faces(D, &blocks);
+        faces.retain(|face| face.iter().all(|&node| condition(&self.coords()[node as usize])));
+        faces.into_iter().map(|nodes| Face { part, nodes }).collect()
     }
 }

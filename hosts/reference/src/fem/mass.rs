@@ -5,7 +5,7 @@ use super::Model;
 impl<const D: usize> Model<D> {
     /// Volume (2D: area) of a part, by its Gauss points.
     pub fn volume(&self, part: usize) -> f64 {
-        self.elements[part].volumes.iter().sum()
+        self.elements_of(part).iter().flat_map(|elements| &elements.volumes).sum()
     }
 
     /// Mass of every node, by row sum: m_a = ∫ ρ N_a dV; in cells of second order in proportion to ∫ ρ N_a² dV, with

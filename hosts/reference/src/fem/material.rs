@@ -6,6 +6,8 @@ pub enum Law {
     /// Hooke's law of small strains, linear also in its kinematics:
     /// W = λ/2 (tr ε)² + μ ε:ε with ε = (H + Hᵀ)/2, P = λ tr ε I + 2μ ε.
     LinearElastic,
+    /// The same in plane stress: a plate, per unit thickness, with σ_zz = 0 and so λ′ = 2λμ/(λ + 2μ) in the place of λ.
+    PlaneStress,
     /// Compressible neo-Hookean solid: W = G/2 (J^(−2/3) I₁ − 3) + K/2 (J − 1)² with F = I + H, J = det F and
     /// I₁ = tr FᵀF (Wang, Xu and Xue, section 4.2.2). In plane strain F_zz = 1, which adds 1 to I₁.
     NeoHookean,

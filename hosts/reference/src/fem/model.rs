@@ -2,9 +2,20 @@
 
 use super::elements::Elements;
 use super::{Error, Part};
-use fmc_contact::{Bodies, CellBlock, Surface};
+use fmc_contact::{Bodies, CellBlock, CellType, Surface};
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use std::ops::Range;
+
+/// Further cells of a part, of another type and on its nodes.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Cells {
+    /// The part.
+    pub part: usize,
+    /// Type of the cells.
+    pub cell_type: CellType,
+    /// Node ids of the part's mesh, `[cell_count, node_count]`; cells have a positive Jacobian.
+    pub conn: Vec<u32>,
+}
 
 /// All bodies of a problem: their nodes one after another, part after part, each with the elements of its cells.
 #[derive(Debug)]
@@ -13,6 +24,8 @@ pub struct Model<const D: usize> {
     coords: Vec<[f64; D]>,
     /// First node of every part, and the number of nodes.
     first_nodes: Vec<usize>,
+    /// First elements of every part, one for each type of its cells, and the number of all.
+    first_elements: Vec<usize>,
     pub(super) elements: Vec<Elements<D>>,
     pub(super) pool: Option<ThreadPool>,
 }
@@ -21,21 +34,31 @@ impl<const D: usize> Model<D> {
     /// Model of the parts, on one thread.
     ///
     /// # Errors
+    /// Those of [`Model::with_cells`].
+    pub fn new(parts: Vec<Part<D>>) -> Result<Self, Error> {
+        Self::with_cells(parts, &[])
+    }
+
+    /// The same with further cells, of parts whose cells are of several types.
+    ///
+    /// # Errors
     /// [`Error::Empty`], [`Error::CellType`], [`Error::NoElement`], [`Error::NodeOutOfRange`], [`Error::UnusedNode`],
     /// [`Error::NonFiniteCoordinate`], [`Error::InvertedCell`], [`Error::Material`].
-    pub fn new(parts: Vec<Part<D>>) -> Result<Self, Error> {
-        if parts.is_empty() {
+    pub fn with_cells(parts: Vec<Part<D>>, more: &[Cells]) -> Result<Self, Error> {
+        if parts.is_empty() || more.iter().any(|cells| cells.part >= parts.len()) {
             return Err(Error::Empty);
         }
         let mut coords = Vec::new();
-        let mut first_nodes = vec![0];
+        let (mut first_nodes, mut first_elements) = (vec![0], vec![0]);
         let mut elements = Vec::new();
-        for part in &parts {
-            elements.push(Elements::new(part, coords.len())?);
+        for (number, part) in parts.iter().enumerate() {
+            let more: Vec<&Cells> = more.iter().filter(|cells| cells.part == number).collect();
+            elements.extend(Elements::of_part(part, &more, coords.len())?);
+            first_elements.push(elements.len());
             coords.extend_from_slice(&part.mesh.coords);
             first_nodes.push(coords.len());
         }
-        Ok(Self { parts, coords, first_nodes, elements, pool: None })
+        Ok(Self { parts, coords, first_nodes, first_elements, elements, pool: None })
     }
 
     /// The same on `threads` threads; results do not depend on them.
@@ -81,9 +104,17 @@ impl<const D: usize> Model<D> {
         self.elements.iter().map(Elements::len).sum()
     }
 
-    /// Node ids of the cells of a part, cell after cell, in the numbering of the model.
-    pub fn conn(&self, part: usize) -> &[u32] {
-        &self.elements[part].conn
+    /// The elements of a part, by the types of its cells.
+    pub(super) fn elements_of(&self, part: usize) -> &[Elements<D>] {
+        &self.elements[self.first_elements[part]..self.first_elements[part + 1]]
+    }
+
+    /// Cells of a part, each with its type and its nodes in the numbering of the model.
+    pub fn cells(&self, part: usize) -> impl Iterator<Item = (CellType, &[u32])> {
+        self.elements_of(part).iter().flat_map(|elements| {
+            let (cell_type, conn) = (elements.cell_type, elements.conn.as_slice());
+            conn.chunks_exact(cell_type.node_count()).map(move |nodes| (cell_type, nodes))
+        })
     }
 
     /// Boundary of all parts for the contact module; body ids are the indices of the parts.
@@ -91,14 +122,11 @@ impl<const D: usize> Model<D> {
     /// # Errors
     /// Those of [`Surface::from_cells`].
     pub fn surface(&self) -> Result<Surface<D>, fmc_contact::Error> {
-        let blocks: Vec<CellBlock> = self
-            .parts
-            .iter()
-            .zip(&self.elements)
-            .map(|(part, e)| CellBlock { cell_type: part.cell_type, conn: &e.conn })
+        let blocks: Vec<CellBlock> =
+            self.elements.iter().map(|e| CellBlock { cell_type: e.cell_type, conn: &e.conn }).collect();
+        let ids: Vec<i64> = (0..self.parts.len())
+            .flat_map(|part| std::iter::repeat_n(part as i64, self.elements_of(part).iter().map(Elements::len).sum()))
             .collect();
-        let ids: Vec<i64> =
-            self.elements.iter().enumerate().flat_map(|(part, e)| std::iter::repeat_n(part as i64, e.len())).collect();
         Surface::from_cells(&self.coords, &blocks, Bodies::Ids(&ids))
     }
 }

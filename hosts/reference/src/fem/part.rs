@@ -4,7 +4,7 @@ use super::Material;
 use fmc_contact::CellType;
 use fmc_shapes::Mesh;
 
-/// One body: a mesh of cells of one type, of one material, undeformed.
+/// One body: a mesh of cells of one type, of one material, undeformed. [`Model::with_cells`](super::Model::with_cells) adds cells of other types.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Part<const D: usize> {
     /// What messages and results call it.

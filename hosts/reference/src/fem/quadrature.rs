@@ -1,6 +1,7 @@
 //! Gauss points of the cell types, with shape functions there.
 
 use super::shape::{CORNERS, second_order};
+use super::wedge::{FAR, NEAR, wedge};
 use fmc_contact::CellType;
 
 /// A Gauss point of a reference cell.
@@ -14,10 +15,14 @@ pub(super) struct GaussPoint {
 }
 
 /// Gauss points of a cell type: one for simplices, whose gradients are constant, two per axis for quadrilaterals and
-/// hexahedra; three in a triangle of second order, four in such a tetrahedron, three per axis in the others.
+/// hexahedra; three in a triangle of second order, four in such a tetrahedron, three per axis in the others. In wedges three in the triangle times
+/// two along the axis, of second order three.
 pub(super) fn gauss_points(cell_type: CellType) -> Vec<GaussPoint> {
     let dimension = cell_type.dimension();
     let node_count = cell_type.node_count();
+    if cell_type.straight() == CellType::Wedge6 {
+        return wedge_points(node_count);
+    }
     if cell_type != cell_type.straight() {
         let of = |(xi, weight): ([f64; 3], f64)| {
             let shapes = second_order(cell_type, xi)?;
@@ -61,6 +66,18 @@ pub(super) fn gauss_points(cell_type: CellType) -> Vec<GaussPoint> {
             }
         })
         .collect()
+}
+
+/// Gauss points of a wedge: three in the triangle, each near a corner, times two along the axis, of second order three.
+fn wedge_points(count: usize) -> Vec<GaussPoint> {
+    let two = [-1.0, 1.0].map(|sign| (sign / 3f64.sqrt(), 1.0));
+    let along: &[(f64, f64)] = if count == 6 { &two } else { &GAUSS };
+    let near = [[FAR, FAR], [NEAR, FAR], [FAR, NEAR]];
+    let point = |zeta: f64, weight: f64, [xi, eta]: [f64; 2]| {
+        let (shape, derivative) = wedge(count, [xi, eta, zeta]).into_iter().unzip();
+        GaussPoint { weight: weight / 6.0, shape, derivative }
+    };
+    along.iter().flat_map(|&(zeta, weight)| near.map(|xi| point(zeta, weight, xi))).collect()
 }
 
 /// Points and weights in cells of second order. All weights are positive and no element has more motions without energy
@@ -110,6 +127,8 @@ mod tests {
             (CellType::Quad4, 4.0),
             (CellType::Tet4, 1.0 / 6.0),
             (CellType::Hex8, 8.0),
+            (CellType::Wedge6, 1.0),
+            (CellType::Wedge15, 1.0),
             (CellType::Tri6, 0.5),
             (CellType::Quad8, 4.0),
             (CellType::Quad9, 4.0),

@@ -15,7 +15,7 @@ pub(super) enum Response {
 impl Response {
     pub(super) fn new(material: &Material) -> Self {
         match material.law {
-            Law::LinearElastic => Response::LinearElastic(LinearElastic::new(material)),
+            Law::LinearElastic | Law::PlaneStress => Response::LinearElastic(LinearElastic::new(material)),
             Law::NeoHookean => Response::NeoHookean(NeoHookean::new(material)),
         }
     }
@@ -57,7 +57,7 @@ impl Response {
     /// Cauchy stress.
     pub(super) fn cauchy(&self, h: &Tensor<3>) -> Tensor<3> {
         match self {
-            Response::LinearElastic(law) => law.stress(h).0,
+            Response::LinearElastic(law) => law.cauchy(h),
             Response::NeoHookean(law) => law.at(h).cauchy(),
         }
     }

@@ -9,6 +9,7 @@
 //!                 middle of an edge along m  (1 − ξ_m²) Π_(i≠m) ½ (1 + ξ_i c_i)
 //! ```
 
+use super::wedge;
 use fmc_contact::CellType;
 
 /// Corners of the square and cube in the order of `Quad4` and `Hex8`.
@@ -54,6 +55,7 @@ pub(super) fn middles(cell_type: CellType) -> Vec<Vec<usize>> {
         CellType::Tri6 | CellType::Tet10 => TET_MIDDLES[..count].iter().map(|edge| edge.to_vec()).collect(),
         CellType::Quad8 | CellType::Quad9 => QUAD_MIDDLES[..count].iter().map(|around| around.to_vec()).collect(),
         CellType::Hex20 | CellType::Hex27 => HEX_MIDDLES[..count].iter().map(|around| around.to_vec()).collect(),
+        CellType::Wedge15 => wedge::MIDDLES.iter().map(|edge| edge.to_vec()).collect(),
         _ => Vec::new(),
     }
 }
@@ -174,7 +176,7 @@ mod tests {
                 }
             }
         }
-        assert!(second_order(CellType::Wedge15, [0.0; 3]).is_none());
+        assert!(second_order(CellType::Pyramid13, [0.0; 3]).is_none());
     }
 
     /// Every quadratic polynomial is met with its derivatives.

@@ -65,7 +65,7 @@ impl<const D: usize> Equilibrium<D> {
 
     /// Whether the bodies' forces are linear in their displacement.
     pub(super) fn is_linear(&self) -> bool {
-        let is_linear = self.problem.model.parts().iter().all(|part| part.material.law == Law::LinearElastic);
+        let is_linear = self.problem.model.parts().iter().all(|part| part.material.law != Law::NeoHookean);
         is_linear && self.problem.linearised.is_none()
     }
 

@@ -9,7 +9,9 @@ mod second_order;
 mod stress;
 
 use fmc_contact::CellType;
-use fmc_shapes::{Diagonals, Mesh, Splitmix, cuboid_hex8, cuboid_tet4, rectangle_quad4, rectangle_tri3, second_order};
+use fmc_shapes::{
+    Diagonals, Mesh, Splitmix, cuboid_hex8, cuboid_tet4, cuboid_wedge6, rectangle_quad4, rectangle_tri3, second_order,
+};
 use fmc_solid::fem::{Law, Material, Model, Part};
 
 const LAWS: [Law; 2] = [Law::LinearElastic, Law::NeoHookean];
@@ -23,7 +25,7 @@ fn part<const D: usize>(cell_type: CellType, mesh: Mesh<D>, law: Law) -> Part<D>
 }
 
 /// Every element type, distorted also at the boundary, where the faces of hexahedra are then not flat; edges of second order are
-/// curved, but for those of tetrahedra.
+/// curved, but for those of tetrahedra and wedges.
 fn distorted_2d() -> Vec<(CellType, Mesh<2>)> {
     let mut meshes = straight_2d();
     let curved = |cell_type: CellType, straight: &Mesh<2>| (cell_type, curved(straight, cell_type.node_count()));
@@ -36,8 +38,9 @@ fn distorted_2d() -> Vec<(CellType, Mesh<2>)> {
 
 fn distorted_3d() -> Vec<(CellType, Mesh<3>)> {
     let mut meshes = straight_3d();
-    let [tetrahedra, hexahedra] = [meshes[0].1.clone(), meshes[1].1.clone()];
+    let [tetrahedra, hexahedra, wedges] = [meshes[0].1.clone(), meshes[1].1.clone(), meshes[2].1.clone()];
     meshes.push((CellType::Tet10, second_order(&tetrahedra, 10)));
+    meshes.push((CellType::Wedge15, second_order(&wedges, 15)));
     meshes.push((CellType::Hex20, curved(&hexahedra, 20)));
     meshes.push((CellType::Hex27, curved(&hexahedra, 27)));
     meshes
@@ -59,6 +62,7 @@ fn straight_3d() -> Vec<(CellType, Mesh<3>)> {
     vec![
         (CellType::Tet4, jittered(cuboid_tet4(min, max, cells))),
         (CellType::Hex8, jittered(cuboid_hex8(min, max, cells))),
+        (CellType::Wedge6, jittered(cuboid_wedge6(min, max, cells))),
     ]
 }
 

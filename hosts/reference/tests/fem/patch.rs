@@ -1,7 +1,9 @@
 //! A linear displacement field is met exactly, however distorted the cells.
 
-use crate::{distorted_2d, distorted_3d, homogeneous, largest, material, models};
-use fmc_solid::fem::{Law, Model};
+use crate::{LAWS, distorted_2d, distorted_3d, homogeneous, largest, material, models, part};
+use fmc_contact::CellType;
+use fmc_shapes::cuboid_hex8;
+use fmc_solid::fem::{Cells, Law, Model};
 
 /// First Piola–Kirchhoff stress of a stretch and shear in the plane, written out by hand, F_zz = 1 in all cases:
 /// F = [[s, g], [0, 1]] has J = s, cof F = [[1, 0], [−g, s]] and cof_zz = s.
@@ -9,7 +11,7 @@ fn stress(law: Law, s: f64, g: f64) -> [[f64; 3]; 3] {
     let (lame, shear, bulk) = (material(law).lame(), material(law).shear_modulus(), material(law).bulk_modulus());
     let e = s - 1.0;
     match law {
-        Law::LinearElastic => {
+        Law::LinearElastic | Law::PlaneStress => {
             [[(lame + 2.0 * shear) * e, shear * g, 0.0], [shear * g, lame * e, 0.0], [0.0, 0.0, lame * e]]
         }
         Law::NeoHookean => {
@@ -40,7 +42,7 @@ fn constant_stress_balances_its_traction<const D: usize>(models: Vec<Model<D>>) 
         // Cauchy stress P Fᵀ/J in every cell.
         let (f, jacobian) = ([[1.2, -0.15, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]], 1.2);
         let cauchy = |i: usize, j: usize| match law {
-            Law::LinearElastic => p[i][j],
+            Law::LinearElastic | Law::PlaneStress => p[i][j],
             Law::NeoHookean => (0..3).map(|k| p[i][k] * f[j][k]).sum::<f64>() / jacobian,
         };
         let expected = [cauchy(0, 0), cauchy(1, 1), cauchy(2, 2), cauchy(0, 1), cauchy(1, 2), cauchy(2, 0)];
@@ -50,6 +52,32 @@ fn constant_stress_balances_its_traction<const D: usize>(models: Vec<Model<D>>) 
             stress.0.iter().zip(expected).for_each(|(s, e)| assert!((s - e).abs() < 1e-12 * 100.0, "{law:?}: {s} {e}"));
         }
     }
+}
+
+/// A box of hexahedra whose last column is of upright wedges: one body.
+#[test]
+fn constant_stress_goes_through_cells_of_two_types() {
+    let mut mesh = cuboid_hex8([0.0; 3], [2.0, 1.0, 3.0], [3, 2, 2]).jittered(0.3, 6, |_| true);
+    let (mut hexahedra, mut conn) = (Vec::new(), Vec::new());
+    for (number, cell) in mesh.cells().enumerate() {
+        match number % 3 {
+            2 => conn.extend([0, 1, 2, 4, 5, 6, 0, 2, 3, 4, 6, 7].map(|k| cell[k])),
+            _ => hexahedra.extend_from_slice(cell),
+        }
+    }
+    mesh.conn = hexahedra;
+    let cells = Cells { part: 0, cell_type: CellType::Wedge6, conn };
+    let mixed = LAWS.map(|law| {
+        Model::with_cells(vec![part(CellType::Hex8, mesh.clone(), law)], std::slice::from_ref(&cells)).unwrap()
+    });
+    assert_eq!((mixed[0].cell_count(), mixed[0].faces_where(0, |_| true).len()), (8 + 8, 2 * 8 + 2 * 4 + 2 * 6));
+    assert_eq!(mixed[0].cells(0).filter(|(cell_type, _)| *cell_type == CellType::Wedge6).count(), 8);
+    let weight: f64 = mixed[0].body_load(0, [1.0, 0.0, 0.0]).iter().map(|f| f[0]).sum();
+    assert!((weight - mixed[0].volume(0)).abs() < 1e-12);
+    assert_eq!(mixed[0].surface().unwrap().body_ids(), [0]);
+    constant_stress_balances_its_traction(mixed.into());
+    let lost = Model::with_cells(vec![part(CellType::Hex8, mesh, Law::NeoHookean)], &[]).unwrap_err();
+    assert!(matches!(lost, fmc_solid::fem::Error::UnusedNode { .. }), "{lost}");
 }
 
 #[test]

@@ -20,8 +20,8 @@ fn faults_are_named() {
     assert_eq!(Model::<2>::new(Vec::new()).unwrap_err(), Error::Empty);
     assert_eq!(refusal(|part| part.mesh.conn.clear()), Error::Empty);
     assert!(matches!(refusal(|part| part.cell_type = CellType::Tet4), Error::CellType { dimension: 2, .. }));
-    let wedge = Error::NoElement { part: "Quad4".into(), cell_type: CellType::Wedge6 };
-    assert_eq!(refusal(|part| part.cell_type = CellType::Wedge6), wedge);
+    let pyramid = Error::NoElement { part: "Quad4".into(), cell_type: CellType::Pyramid5 };
+    assert_eq!(refusal(|part| part.cell_type = CellType::Pyramid5), pyramid);
     assert!(matches!(refusal(|part| part.cell_type = CellType::Tri3), Error::CellType { nodes_per_cell: 4, .. }));
     assert!(matches!(
         refusal(|part| part.mesh.conn[5] = 9),

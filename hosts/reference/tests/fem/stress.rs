@@ -15,7 +15,7 @@ fn uniaxial_strain<const D: usize>(cell_type: CellType, mesh: Mesh<D>) {
             h[0][0] = s - 1.0;
             let shear = material(law).shear_modulus();
             let expected = match law {
-                Law::LinearElastic => 2.0 * shear * (s - 1.0),
+                Law::LinearElastic | Law::PlaneStress => 2.0 * shear * (s - 1.0),
                 Law::NeoHookean => shear * s.powf(-5.0 / 3.0) * (s * s - 1.0),
             };
             for stress in model.stresses(&homogeneous(&model, h)) {
@@ -41,4 +41,23 @@ fn pure_shear_and_pressure() {
         stress.0[shear] = -2.0;
         assert!((stress.von_mises() - 2.0 * 3f64.sqrt()).abs() < 1e-15);
     }
+}
+
+/// Stretched along x alone a plate has σ_xx = E/(1 − ν²) ε, σ_yy = ν σ_xx and σ_zz = 0, and its nodes feel it. In space there is none.
+#[test]
+fn plates_have_plane_stress() {
+    let mesh = rectangle_quad4([0.0; 2], [2.0, 1.0], [4, 3]);
+    let model = Model::new(vec![part(CellType::Quad4, mesh, Law::PlaneStress)]).unwrap();
+    let displacement = homogeneous(&model, [[0.01, 0.0], [0.0, 0.0]]);
+    let expected = 100.0 / 0.91 * 0.01;
+    for stress in model.stresses(&displacement) {
+        let [xx, yy, zz, ..] = stress.0;
+        assert!((xx - expected).abs() < 1e-13 && (yy - 0.3 * expected).abs() < 1e-13 && zz == 0.0);
+    }
+    let mut force = vec![[0.0; 2]; model.node_count()];
+    let energy = model.internal(&displacement, &mut force);
+    let right: f64 = model.nodes_where(0, |x| x[0] == 2.0).into_iter().map(|node| force[node][0]).sum();
+    assert!((right - expected).abs() < 1e-13 && (energy - expected * 0.01).abs() < 1e-14);
+    let space = part(CellType::Hex8, cuboid_hex8([0.0; 3], [1.0; 3], [1; 3]), Law::PlaneStress);
+    assert_eq!(Model::new(vec![space]).unwrap_err(), fmc_solid::fem::Error::PlaneStress { part: "Hex8".into() });
 }

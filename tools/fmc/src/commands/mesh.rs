@@ -60,7 +60,7 @@ fn described<const D: usize>(document: &Document, case: &Case) -> Result<Value> 
             json!({
                 "name": body.name, "material": body.material, "initial_velocity": body.initial_velocity,
                 "cell_type": part.cell_type.name(),
-                "conn": model.conn(number).chunks_exact(part.cell_type.node_count()).collect::<Vec<_>>(),
+                "conn": model.cells(number).map(|(_, nodes)| nodes).collect::<Vec<_>>(),
             })
         })
         .collect();

@@ -1,0 +1,73 @@
+//! Element types: wedges, bodies of two types, plates.
+
+use crate::blocks_text::{block, block_with_wedges, elastic};
+use crate::scene::{Outcome, largest_off, path, said, said_in, solved_text};
+
+/// Two blocks pressed on each other, the lower with so many columns of wedges.
+fn pressed(wedges: usize) -> Outcome<3> {
+    let text = block_with_wedges("LOW", 1, [3, 2, 2], [[0.0; 3], [3.0, 2.0, 1.0]], wedges)
+        + &block("TOP", 101, [2, 2, 1], [[0.5, 0.5, 1.0], [2.5, 1.5, 2.0]])
+        + &elastic(&["LOW", "TOP"], 1000.0, 0.3)
+        + "*SURFACE INTERACTION, NAME=I\n*CONTACT PAIR, INTERACTION=I\nS_TOP_LOW, S_LOW_HIGH\n"
+        + "*BOUNDARY\nLOW_LOW, 1, 3\nTOP_HIGH, 1, 2\nTOP_HIGH, 3, 3, -0.02\n"
+        + "*STEP\n*STATIC\n*END STEP\n";
+    solved_text::<3>("wedges", &text)
+}
+
+/// A pull through hexahedra and wedges of one body: uniform stress, to the residual, and as long as Hooke has it.
+#[test]
+fn a_pull_goes_through_cells_of_two_types() {
+    for wedges in [1, 3] {
+        let text = block_with_wedges("BAR", 1, [3, 2, 2], [[0.0; 3], [3.0, 2.0, 1.0]], wedges)
+            + &elastic(&["BAR"], 1000.0, 0.3)
+            + "*BOUNDARY\nBAR_LOW, 3\n1, 1, 2\n4, 2\n*STEP\n*STATIC\n*DSLOAD\nS_BAR_HIGH, P, -10.\n*END STEP\n";
+        let outcome = solved_text::<3>("pulled-wedges", &text);
+        assert_eq!(outcome.stresses.len(), 4 * (3 - wedges) + 8 * wedges);
+        let off = largest_off(&outcome.stresses, [0.0, 0.0, 10.0, 0.0, 0.0, 0.0]);
+        assert!(off < 1e-8, "{wedges}: {off:.2e}");
+        let up = outcome.displacement.iter().map(|u| u[2]).fold(0.0, f64::max);
+        assert!((up - 0.01).abs() < 1e-12, "{up}");
+    }
+}
+
+/// Wedges in contact beside hexahedra: the force is that of hexahedra alone but for what triangles are stiffer by in so coarse a mesh.
+#[test]
+fn wedges_press_as_hexahedra_do() {
+    let force = |outcome: &Outcome<3>| outcome.steps[0].pairs[0].force[2];
+    let [hexahedra, mixed, wedges] = [0, 1, 3].map(|columns| force(&pressed(columns)));
+    println!("{hexahedra} {mixed} {wedges}");
+    assert!(hexahedra > 1.0 && (mixed / hexahedra - 1.0).abs() < 0.05 && (wedges / hexahedra - 1.0).abs() < 0.1);
+}
+
+/// Two plates under a pressure p in plane stress: σ_yy = −p and nothing else, and down by 2 p/E: plane strain has 0.91 of it. Bounds as in `blocks`.
+#[test]
+fn plates_press_in_plane_stress() {
+    let text = std::fs::read_to_string(path("patch.inp")).unwrap().replace("CPE4", "CPS4");
+    let outcome = solved_text::<2>("plates", &text);
+    assert!(largest_off(&outcome.stresses, [0.0, -10.0, 0.0, 0.0, 0.0, 0.0]) < 5e-3);
+    assert!(outcome.stresses.iter().all(|stress| stress.0[2] == 0.0));
+    let down = outcome.displacement.iter().map(|u| u[1]).fold(0.0, f64::min);
+    assert!((down + 0.02).abs() < 1e-4, "{down}");
+}
+
+#[test]
+fn what_plates_and_wedges_cannot_be_is_refused() {
+    let good = std::fs::read_to_string(path("patch.inp")).unwrap();
+    let plates = good.replace("CPE4", "CPS4");
+    assert_eq!(said(&plates, "plates.inp"), "nothing");
+    let message = said(&plates.replace("*STEP", "*STEP, NLGEOM"), "large.inp");
+    assert!(message.contains("has plane stress, which is known for *ELASTIC without NLGEOM"), "{message}");
+    let message = said(&plates.replace("*ELASTIC\n1000., 0.3", "*HYPERELASTIC, NEO HOOKE\n100., 1e-3"), "rubber.inp");
+    assert!(message.contains("has plane stress, which is known for *ELASTIC"), "{message}");
+    // The first element of a body alone.
+    let square = "*NODE\n1, 0., 0.\n2, 1., 0.\n3, 1., 1.\n4, 0., 1.\n5, 2., 0.\n6, 2., 1.\n*ELEMENT, TYPE=CPS4, ELSET=E\n1, 1, 2, 3, 4\n\
+                  *ELEMENT, TYPE=CPE4, ELSET=E\n2, 2, 5, 6, 3\n*MATERIAL, NAME=M\n*ELASTIC\n1., 0.\n\
+                  *SOLID SECTION, ELSET=E, MATERIAL=M\n*STEP\n*STATIC\n*END STEP\n";
+    let message = said(square, "both.inp");
+    assert!(message.contains("elements of plane strain beside such of plane stress"), "{message}");
+    let wedges = block_with_wedges("BAR", 1, [1, 1, 1], [[0.0; 3], [1.0; 3]], 1) + &elastic(&["BAR"], 1.0, 0.0);
+    let loaded = |face: &str| format!("{wedges}*STEP\n*STATIC\n*DLOAD\nBAR, {face}, 1.\n*END STEP\n");
+    assert_eq!(said_in::<3>(&loaded("P2"), "wedge.inp"), "nothing");
+    let message = said_in::<3>(&loaded("P6"), "wedge.inp");
+    assert!(message.contains("of type C3D6 has no face P6; its faces are P1 to P5"), "{message}");
+}
