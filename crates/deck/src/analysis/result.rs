@@ -48,6 +48,8 @@ pub struct StepResult {
     pub references: Vec<ReferenceResult>,
     /// Sum of the loads.
     pub load: [f64; 3],
+    /// Thickness of bodies of the plane, which forces and areas are of.
+    pub thickness: f64,
     /// Largest displacement of a node.
     pub displacement: f64,
     /// Pairs in contact.
@@ -131,6 +133,7 @@ impl StepResult {
             reactions,
             references,
             load,
+            thickness: 1.0,
             displacement: squares.fold(0.0, f64::max).sqrt(),
             pairs: (0..contact.pairs.len()).map(|row| pair(&contact.pairs, row)).collect(),
             ties: ties::results(at)?,

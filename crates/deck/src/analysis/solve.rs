@@ -160,7 +160,8 @@ impl<'a, const D: usize> Analysis<'a, D> {
                 if time == step.period {
                     let when = (number + 1, self.state.total_time(time));
                     let borne = self.state.borne(&at, self.places.is_finite);
-                    let mut result = StepResult::new(&at, when, largest_force, &self.sets, borne, &label)?;
+                    let mut result = StepResult::new(&at, when, largest_force, &self.sets, borne, &label)?
+                        .of_thickness(self.state.thickness);
                     if let Some(most) = step.most.filter(|most| *most < taken) {
                         result.warnings.push(format!("the step took {taken} increments, more than its INC={most}"));
                     }

@@ -5,6 +5,7 @@ use super::follow::{self, Borne, Stage, Values};
 use super::points::{Asked, Point, freedom, points};
 use super::references::{Reference, Way, references};
 use super::spread::{Faces, faces, spread};
+use super::thickness::thickness;
 use super::timed::{Timed, When};
 use crate::Fault;
 use crate::read::{Amplitude, Boundary, Deck, Load, LoadKind, Step};
@@ -33,6 +34,8 @@ pub(super) struct Driven<const D: usize> {
 pub(super) struct State<const D: usize> {
     faces: Faces,
     pub(super) references: Vec<Reference<D>>,
+    /// Of all bodies; loads on points are divided by it.
+    pub(super) thickness: f64,
     /// Rotations of the reference nodes at the end of the last stage.
     turned: Vec<[f64; 3]>,
     supports: Values,
@@ -53,6 +56,7 @@ impl<const D: usize> State<D> {
             faces,
             turned: vec![[0.0; 3]; references.len()],
             references,
+            thickness: thickness(deck, D)?,
             supports: BTreeMap::new(),
             released: BTreeMap::new(),
             forces: BTreeMap::new(),
@@ -128,7 +132,7 @@ impl<const D: usize> State<D> {
         }
         let mut forces = vec![[0.0; D]; first];
         for (&(place, axis), (value, _)) in &self.forces {
-            let value = value.at(when);
+            let value = value.at(when) / self.thickness;
             match place.checked_sub(first).map(|number| &self.references[number]) {
                 None => forces[place][axis] += value,
                 Some(Reference { way: Way::Shares(shares), nodes, .. }) => {
@@ -162,7 +166,9 @@ impl<const D: usize> State<D> {
     pub(super) fn borne(&self, at: &Equilibrium<D>, is_finite: bool) -> Borne {
         let first = at.model().node_count();
         let one = |(number, reference): (usize, &Reference<D>)| {
-            let value = |axis: usize| self.forces.get(&(first + number, axis)).map_or(0.0, |(f, _)| f.at(self.end));
+            let value = |axis: usize| {
+                self.forces.get(&(first + number, axis)).map_or(0.0, |(f, _)| f.at(self.end) / self.thickness)
+            };
             follow::result((number, reference), at, (self.turned[number], is_finite), std::array::from_fn(value))
         };
         let results = self.references.iter().enumerate().filter_map(one).collect();

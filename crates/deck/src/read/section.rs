@@ -12,6 +12,8 @@ pub(crate) struct SectionRow {
     pub(crate) scope: Scope,
     pub(crate) set: String,
     pub(crate) material: String,
+    /// Of a body of the plane.
+    pub(crate) thickness: f64,
 }
 
 impl SectionRow {
@@ -19,15 +21,17 @@ impl SectionRow {
     pub(super) fn read(keyword: &Keyword, scope: &Scope, lines: &mut Lines) -> Result<Self, Fault> {
         only(keyword, &["ELSET", "MATERIAL"])?;
         let (line, found) = optional_line(keyword, lines)?;
-        if let Some(thickness) = found.iter().flatten().find(|value| **value != 1.0 && **value != 0.0) {
-            let message = format!("a thickness of {thickness} is not known: 2D is per unit thickness");
-            return Err(Fault::new(line, message));
+        // Without a thickness it is 1, as where it is 0.
+        let thickness = found.first().copied().flatten().filter(|thickness| *thickness != 0.0).unwrap_or(1.0);
+        if thickness < 0.0 || found.iter().skip(1).flatten().any(|value| *value != 0.0) {
+            return Err(Fault::new(line, "*SOLID SECTION has one number, a thickness above 0"));
         }
         Ok(Self {
             line: keyword.line,
             scope: scope.clone(),
             set: keyword.required("ELSET")?.to_owned(),
             material: keyword.required("MATERIAL")?.to_owned(),
+            thickness,
         })
     }
 }

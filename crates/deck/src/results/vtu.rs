@@ -35,7 +35,8 @@ pub fn vtu<const D: usize>(deck: &Deck, order: &[Vec<usize>; 3], at: &Equilibriu
     let nothing = |_: &ReferenceResult| [0.0; 3];
     let contact = &at.balance().contact;
     grid.point_vectors("displacement", &of_nodes(at.displacement(), &|reference| reference.displacement));
-    grid.point_vectors("contact_force", &of_nodes(&contact.forces, &nothing));
+    let touch: Vec<[f64; D]> = contact.forces.iter().map(|force| force.map(|f| step.thickness * f)).collect();
+    grid.point_vectors("contact_force", &of_nodes(&touch, &nothing));
     grid.point_vectors("reaction", &step.reactions);
     if !step.references.is_empty() {
         let mut moments = of_nodes(&vec![[0.0; D]; model.node_count()], &|reference| reference.moment);

@@ -50,6 +50,38 @@ fn plates_press_in_plane_stress() {
     assert!((down + 0.02).abs() < 1e-4, "{down}");
 }
 
+/// A bar of the plane of thickness 0.5, pulled by a force of 3 at a reference node: the stress is that force by 0.5, and what holds it is the force. A pressure is
+/// one, whatever the thickness. Bounds by the residual.
+#[test]
+fn thin_plates_share_a_force() {
+    let good = "*NODE\n1, 0., 0.\n2, 1., 0.\n3, 1., 1.\n4, 0., 1.\n9, 2., 0.25\n*ELEMENT, TYPE=CPS4, ELSET=E\n1, 1, 2, 3, 4\n*SURFACE, NAME=R\nE, S2\n\
+                *MATERIAL, NAME=M\n*ELASTIC\n1000., 0.\n*SOLID SECTION, ELSET=E, MATERIAL=M\n0.5\n\
+                *COUPLING, CONSTRAINT NAME=C, REF NODE=9, SURFACE=R\n*KINEMATIC\n*BOUNDARY\n1, 1\n4, 1\n9, 2\n9, 6\n*STEP\n*STATIC\n\
+                *CLOAD\n9, 1, 3.\n*END STEP\n*STEP\n*STATIC\n*CLOAD, OP=NEW\n*DSLOAD\nR, P, -8.\n*END STEP\n";
+    let near = |found: f64, expected: f64| assert!((found - expected).abs() < 1e-9, "{found}, not {expected}");
+    let outcome = solved_text::<2>("thin", good);
+    let [force, pressure] = &outcome.steps[..] else { panic!("two steps") };
+    near(force.displacement, 3.0 / 0.5 / 1000.0);
+    near(force.reaction[0], -3.0);
+    near(force.load[0], 3.0);
+    // The force of 3 at y = 0.25 is borne at y = 0.5.
+    near(force.references[0].moment[2], -0.75);
+    near(pressure.displacement, 8.0 / 1000.0);
+    near(pressure.reaction[0], -8.0 * 0.5);
+    assert!(largest_off(&outcome.stresses, [8.0, 0.0, 0.0, 0.0, 0.0, 0.0]) < 1e-9);
+    let two = good.replace("*COUPLING", "*SOLID SECTION, ELSET=E, MATERIAL=M\n0.25\n*COUPLING");
+    assert!(said(&two, "two.inp").contains("known is one thickness of all bodies"), "{}", said(&two, "two.inp"));
+    assert!(said(&good.replace("\n0.5\n", "\n-0.5\n"), "below.inp").contains("a thickness above 0"));
+    let solid = block("BAR", 1, [1, 1, 1], [[0.0; 3], [1.0; 3]])
+        + &elastic(&["BAR"], 1.0, 0.0)
+        + "0.5\n*STEP\n*STATIC\n*END STEP\n";
+    assert!(
+        said_in::<3>(&solid, "solid.inp").contains("solids have no thickness"),
+        "{}",
+        said_in::<3>(&solid, "solid.inp")
+    );
+}
+
 #[test]
 fn what_plates_and_wedges_cannot_be_is_refused() {
     let good = std::fs::read_to_string(path("patch.inp")).unwrap();
@@ -70,4 +102,18 @@ fn what_plates_and_wedges_cannot_be_is_refused() {
     assert_eq!(said_in::<3>(&loaded("P2"), "wedge.inp"), "nothing");
     let message = said_in::<3>(&loaded("P6"), "wedge.inp");
     assert!(message.contains("of type C3D6 has no face P6; its faces are P1 to P5"), "{message}");
+    // Surfaces without an inside.
+    for (rows, expected) in [
+        (
+            "*ELEMENT, TYPE=R3D4, ELSET=R\n9001, 1, 2, 4, 3\n",
+            "element 9001 is a shell beside solids, which is not supported: a tool",
+        ),
+        (
+            "*ELEMENT, TYPE=R2D2, ELSET=R\n9001, 1, 2\n",
+            "elements of type R2D2 are rigid lines, which are not supported: a tool",
+        ),
+    ] {
+        let message = said_in::<3>(&format!("{}{rows}", loaded("P2")), "surface.inp");
+        assert!(message.contains(expected), "{message}");
+    }
 }

@@ -300,3 +300,27 @@ fn a_rot_node_turns() {
         assert!(u.iter().zip(expected).all(|(u, e)| (u - e).abs() < 1e-13), "{u:?} {expected:?}");
     }
 }
+
+/// A rigid square on an elastic one, pressed by a force, then dragged: it slides, and the reaction along x is μ times the force, along y nothing; in the
+/// plane its moment is that of the force, which acts off the contact. Bounds as for the dragged block of `friction`.
+#[test]
+fn a_punch_under_a_force_is_dragged_with_friction() {
+    let page = include_str!("../../../../docs/solve.md");
+    let shown = page.split("```text\n").find(|block| block.starts_with("*NODE")).unwrap().split("```").next().unwrap();
+    // So stiff that the face does not turn, along which friction acts.
+    let start = shown[..shown.find("*BOUNDARY").unwrap()].replace("1000., 0.3", "1e6, 0.3");
+    let text = format!(
+        "{start}*NODE\n9, 0.5, 5.\n*RIGID BODY, ELSET=UPPER, REF NODE=9\n*BOUNDARY\n1, 1, 2\n2, 1, 2\n9, 1\n9, 6\n\
+         *STEP\n*STATIC\n*CLOAD\n9, 2, -10.\n*END STEP\n*STEP\n*STATIC\n0.25, 1.\n*BOUNDARY\n9, 1, 1, 0.05\n*NODE PRINT, NSET=9\nRF\n*END STEP\n"
+    );
+    let outcome = solved_text::<2>("dragged", &text);
+    let [pressed, dragged] = &outcome.steps[..] else { panic!("two steps") };
+    assert!(
+        (pressed.pairs[0].force[1] - 10.0).abs() < 1e-6 && pressed.references[0].force[1].abs() < 1e-6,
+        "{pressed:?}"
+    );
+    let reference = &dragged.references[0];
+    assert!((reference.force[0] - 2.0).abs() < 2e-3 && reference.force[1].abs() < 1e-6, "{reference:?}");
+    assert_eq!(dragged.sets, [("9".to_owned(), reference.force)]);
+    assert!(reference.displacement[0] == 0.05 && reference.displacement[1] < 0.0 && reference.moment[2].abs() > 1.0);
+}

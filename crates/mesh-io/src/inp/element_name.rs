@@ -82,6 +82,12 @@ impl Element {
         if SLENDER.iter().any(|stem| name.starts_with(stem)) {
             return Ok(Self::Slender);
         }
+        if ["R2D", "RAX"].iter().any(|stem| name.starts_with(stem)) {
+            bail!(
+                "line {line}: elements of type {} are rigid lines, which are not supported: a tool needs an inside, of solid elements",
+                shortened(&name)
+            );
+        }
         let known: Vec<&str> = STEMS.iter().map(|row| row.0).collect();
         bail!(
             "line {line}: elements of type {} are not supported, only {}, and their variants",

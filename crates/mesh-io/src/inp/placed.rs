@@ -80,7 +80,11 @@ fn take(mesh: &mut Mesh, piece: &Piece, highest: usize) -> Result<()> {
         let (cell, label) = (element.cell, part.element_labels[place]);
         if cell.cell_type.dimension() < highest {
             if cell.is_shell {
-                bail!("line {}: element {label} is a shell beside solids, which is not supported", part.line(place));
+                let line = part.line(place);
+                bail!(
+                    "line {line}: element {label} is a shell beside solids, which is not supported: a tool or a body needs an \
+                     inside, of solid elements"
+                );
             }
             continue;
         }
