@@ -88,7 +88,7 @@ impl<const D: usize> SlipFacets<D> {
             facet.slider.limit = limit;
             let before =
                 sliding.bearing(&(*partners, facet.of_b, facet.facet)).filter(|_| facet.before.limit.is_some());
-            facet.before.limit = before.map(|before| (now.limit_before(&before) / area).max(0.0));
+            facet.before.limit = before.map(|(before, _)| (now.limit_before(&before) / area).max(0.0));
             facet.history = answer.history[at * per_facet..][..per_facet].to_vec();
             all.pressed += now.pressed;
             all.cohesion += now.cohesion;
