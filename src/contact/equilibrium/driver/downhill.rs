@@ -214,7 +214,7 @@ fn exhausted<const D: usize>(search: &Search<D>, trail: &[Vec<f64>]) -> Trouble 
     let way = moved(last, -1.0, middle);
     let mover = search.assembly.mover(&search.host.unknowns.spread(&way));
     match mover.filter(|mover| largest(&way) > 0.1 * search.assembly.finest() && mover.way > 0.0) {
-        Some(mover) if !search.motions.is_empty() => Trouble::unheld(&mover, "it does not come to rest"),
+        Some(mover) if !search.motions.is_empty() => Trouble::adrift(&mover),
         _ => {
             let (left, solves) = (search.balance.relative(), search.host.solves());
             Trouble::Failed(format!("the residual is {left:.1e} of the forces after {solves} linear solves"))

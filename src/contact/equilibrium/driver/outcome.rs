@@ -65,7 +65,7 @@ impl Refusal {
     pub(super) fn new(trouble: Trouble, residuals: Vec<f64>, solves: usize) -> Self {
         let text = trouble.to_string();
         let (unheld, error) = match trouble {
-            Trouble::Unheld(unheld, _) => (Some(unheld), None),
+            Trouble::Unheld(unheld, _) | Trouble::Adrift(unheld, _) => (Some(unheld), None),
             Trouble::Contact(error) => (None, Some(error)),
             Trouble::Host(_) | Trouble::Failed(_) | Trouble::Hopeless(_) => (None, None),
         };

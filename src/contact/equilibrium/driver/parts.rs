@@ -60,6 +60,7 @@ pub(super) async fn in_parts<const D: usize>(search: &mut Search<D>, step: &Load
     taken_up(search, &start, &step.moved).await;
     let start = falling_load(search, start).await?;
     let (mut x, mut done, mut part, mut counts) = (step.x.clone(), 0.0, 1.0, Counts::default());
+    let mut adrift = None;
     loop {
         let until = if done + part > 1.0 - 1e-9 { 1.0 } else { done + part };
         // What did not balance at the start is taken off little by little.
@@ -81,9 +82,13 @@ pub(super) async fn in_parts<const D: usize>(search: &mut Search<D>, step: &Load
                 part = (2.0 * part).min(1.0 - done);
             }
             Err(trouble @ (Trouble::Unheld(..) | Trouble::Hopeless(_))) => return Err(trouble),
-            Err(trouble) if part <= SMALLEST || !search.may_go_on() => return Err(trouble),
+            // Of what went wrong, that a body came to no rest says most.
+            Err(trouble) if part <= SMALLEST || !search.may_go_on() => return Err(adrift.unwrap_or(trouble)),
             Err(trouble) => {
                 counts.trouble = Some(trouble.to_string());
+                if adrift.is_none() && matches!(trouble, Trouble::Adrift(..)) {
+                    adrift = Some(trouble);
+                }
                 part *= 0.5;
                 search.warnings.truncate(told);
                 search.host.contact(|contact| take_up(contact, begun.0)).await;

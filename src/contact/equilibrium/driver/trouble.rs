@@ -12,8 +12,10 @@ pub(super) enum Trouble {
     Host(String),
     /// No part of a load step helps.
     Hopeless(String),
-    /// A body that nothing stops, or that comes to no rest.
+    /// A body that nothing stops.
     Unheld(Unheld, String),
+    /// A body that comes to no rest; in smaller parts of a load step it may.
+    Adrift(Unheld, String),
     /// Anything else.
     Failed(String),
 }
@@ -40,6 +42,10 @@ impl Trouble {
     pub(super) fn unheld<const D: usize>(mover: &Mover<D>, what: &str) -> Self {
         Trouble::Unheld(mover.into(), format!("{mover}: {what}"))
     }
+
+    pub(super) fn adrift<const D: usize>(mover: &Mover<D>) -> Self {
+        Trouble::Adrift(mover.into(), format!("{mover}: it does not come to rest"))
+    }
 }
 
 impl Trouble {
@@ -51,6 +57,7 @@ impl Trouble {
             Trouble::Host(text) => Trouble::Host(with(text)),
             Trouble::Hopeless(text) => Trouble::Hopeless(with(text)),
             Trouble::Unheld(unheld, text) => Trouble::Unheld(unheld, with(text)),
+            Trouble::Adrift(unheld, text) => Trouble::Adrift(unheld, with(text)),
             Trouble::Failed(text) => Trouble::Failed(with(text)),
         }
     }
@@ -60,9 +67,11 @@ impl std::fmt::Display for Trouble {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
             Trouble::Contact(error) => error.fmt(f),
-            Trouble::Host(text) | Trouble::Unheld(_, text) | Trouble::Failed(text) | Trouble::Hopeless(text) => {
-                text.fmt(f)
-            }
+            Trouble::Host(text)
+            | Trouble::Unheld(_, text)
+            | Trouble::Adrift(_, text)
+            | Trouble::Failed(text)
+            | Trouble::Hopeless(text) => text.fmt(f),
         }
     }
 }
