@@ -6,6 +6,7 @@ import assemblies
 import guided
 import layers
 import refusals
+import rubbing
 import scales
 import snap
 import stacks
@@ -22,6 +23,7 @@ _MODULES = {
     "layers": layers,
     "approach": approach,
     "unloading": unloading,
+    "rubbing": rubbing,
     "snap": snap,
     "scales": scales,
     "through": through,

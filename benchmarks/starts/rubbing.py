@@ -1,0 +1,83 @@
+"""Bodies that friction holds or drags: blocks that overhang, wedges whose load is gone or turns, a bar pulled out of a clamp in one step."""
+
+from functools import partial
+
+import numpy as np
+from bodies import Bodies
+from meshes import QUAD4, grid
+from problem import Expected, Problem, Step
+from skfem import MeshQuad
+from solver import contact_of
+
+YOUNG, POISSON, WEIGHT = 1e6, 0.3, 1e2
+SLOPE = np.tan(np.radians(10))
+"""Of the faces of the wedge; it locks where friction is above it."""
+LOCKED = {0.0: 318.79, -1.0: 318.73, -10.0: 318.18, -50.0: 314.93}
+"""Force on a side of the wedge by the load that is left after 500, reached in small steps: 500, 10, 1, 1e-6, 0, -1, -10, -25, -50."""
+
+
+def overhang(friction, over, below, above):
+    """A block that lies on another and stands out by a part of its width; it tips at 1/2."""
+    meshes = [grid(QUAD4.mesh, [0, 0], [1, 0.25], [below, 3]), grid(QUAD4.mesh, [over, 0.25], [1 + over, 0.5], [above, 3])]
+    bodies = Bodies(meshes, QUAD4, YOUNG, POISSON)
+    load = bodies.weight(WEIGHT)
+    held = [bodies.unknowns(0, lambda x: x[1] < 1e-9)]
+    borne = Expected("borne/W", lambda found: found.result.bodies[1].force[1] / (0.25 * WEIGHT), 1.0, 1e-7, "statics")
+    still = Expected("largest u", lambda found: np.abs(found.x).max(), 0.0, 0.01, "bending alone")
+    step = Step(bodies.host(load), bodies.free(held), expected=(borne, still), most_solves=45)
+    return Problem(contact_of(bodies, friction_coefficient=friction), np.zeros(bodies.size), [step], True)
+
+
+def wedge(path):
+    """A wedge between two blocks, with a load that is gone or turns in the end."""
+    warped = lambda mesh, to: MeshQuad(np.array(to(*mesh.p)), mesh.t)
+    side = lambda at: warped(grid(QUAD4.mesh, [0, -0.3], [1, 1.5], [5, 11]), at)
+    meshes = [
+        warped(grid(QUAD4.mesh, [-1, 0], [1, 1], [8, 8]), lambda x, y: (x * (0.3 + SLOPE * y), y)),
+        side(lambda x, y: (0.3 + SLOPE * y + x * (1.2 - SLOPE * y), y)),
+        side(lambda x, y: (-1.5 + x * (1.2 - SLOPE * y), y)),
+    ]
+    bodies = Bodies(meshes, QUAD4, YOUNG, POISSON)
+    held = [bodies.unknowns(1, lambda x: x[0] > 1.5 - 1e-9), bodies.unknowns(2, lambda x: x[0] < -1.5 + 1e-9)]
+    top, free = bodies.unknowns(0, lambda x: x[1] > 1 - 1e-9, 1), bodies.free(held)
+    steps = []
+    for force in path:
+        load = np.zeros(bodies.size)
+        load[top] = -force / len(top)
+        wanted = LOCKED.get(force)
+        reason = "small load steps, which agree to 1e-3: where a body sticks depends a little on the way"
+        expected = () if wanted is None else (Expected("side force", lambda found: found.result.bodies[1].force[0], wanted, 1e-3 * wanted, reason),)
+        steps.append(Step(bodies.host(load), free, expected=expected, most_solves=30))
+    return Problem(contact_of(bodies, friction_coefficient=0.5), np.zeros(bodies.size), steps, True)
+
+
+def clamp(friction, way, cells):
+    """A bar that is pulled out between two jaws, pressed by a force, in one step."""
+    low, high = [(-1, -0.2), (0, 0.2), (0, -0.8)], [(2, 0.2), (1, 0.8), (1, -0.2)]
+    bodies = Bodies([grid(QUAD4.mesh, a, b, [n, 4]) for a, b, n in zip(low, high, cells)], QUAD4, YOUNG, POISSON)
+    pulled = bodies.unknowns(0, lambda x: x[0] > 2 - 1e-9, 0)
+    held = [pulled, bodies.unknowns(1, lambda x: x[1] > 0.8 - 1e-9, 0), bodies.unknowns(2, lambda x: x[1] < -0.8 + 1e-9)]
+    load, free = bodies.traction(1, lambda x: x[1] > 0.8 - 1e-9, [0, -1e3]), bodies.free(held)
+    prescribed = np.zeros(bodies.size)
+    prescribed[pulled] = way
+    # The jaws lean as they are dragged along.
+    pull = Expected("pull/2μP", lambda found: found.result.bodies[0].force[0] / (-2e3 * friction), 1.0, 2e-3, "Coulomb")
+    steps = [Step(bodies.host(load), free, most_solves=30), Step(bodies.host(load), free, prescribed, (pull,), most_solves=100)]
+    return Problem(contact_of(bodies, friction_coefficient=friction), np.zeros(bodies.size), steps, True)
+
+
+PROBLEMS = {
+    f"block that overhangs by {over:g}, μ {friction:g}, {below} on {above} cells": partial(overhang, friction, over, below, above)
+    for friction, over, below, above in (
+        (0.1, 0.2, 12, 13),
+        (0.1, 0.3, 12, 13),
+        (0.3, 0.35, 8, 9),
+        (0.3, 0.4, 12, 13),
+        (0.3, 0.45, 20, 21),
+        (0.3, 0.4, 20, 21),
+    )
+}
+for path in ((500.0, 10.0, 1.0, 1e-6, 0.0), (500.0, 0.0), (500.0, -1.0), (500.0, 10.0, -10.0), (500.0, -1e-3, -50.0), (500.0, -50.0)):
+    PROBLEMS[f"wedge, loads {', '.join(f'{force:g}' for force in path)}"] = partial(wedge, path)
+PROBLEMS["bar out of a clamp by 0.05, μ 0.4"] = partial(clamp, 0.4, 0.05, (15, 6, 7))
+SLOW = set()
