@@ -14,6 +14,7 @@
 //! - `levels`, `nearest` (with `secant`, `turned`), `downhill`: the equilibrium, each from the same start where the one before has not found it;
 //! - `updates`: multipliers, until what is left of the penetration does not matter; `within_facets`: where there are none;
 //! - `patches`: those of the law `fiber`, where they are not left to the host;
+//! - `rounded`: forces that are hardly more than what coordinates are rounded to are told;
 //! - `standing`: whether bodies that only contact holds stand;
 //! - `breaking`, `told_breaking`: cohesive interfaces that break on the way, for what is said where there is no equilibrium.
 //!
@@ -49,6 +50,7 @@ mod patches;
 mod projected;
 mod quadratic;
 mod request;
+mod rounded;
 mod rows;
 mod search;
 mod secant;

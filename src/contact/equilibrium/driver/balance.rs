@@ -76,6 +76,11 @@ impl Balance {
         self.at_start = self.at_start.max(forces);
     }
 
+    /// Forces at the start, as far as residuals are measured by them.
+    pub(super) fn at_start(&self) -> f64 {
+        self.at_start
+    }
+
     /// Forces by which the last state was judged.
     pub(super) fn scale(&self) -> f64 {
         self.scale

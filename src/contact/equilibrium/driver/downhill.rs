@@ -13,6 +13,10 @@ use crate::contact::tangents::TangentPart;
 /// Steps, at most.
 const MOST: usize = 60;
 
+/// Steps after which bodies that rub have come this near, residual by the forces, or take smaller parts of the load step.
+const LOST: usize = 25;
+const FAR: f64 = 0.1;
+
 /// Trials along a step, at most, and along one with the friction of now: where so little of it leads nearer, it leads nowhere.
 const TRIALS: usize = 12;
 const TRIALS_CURRENT: usize = 7;
@@ -60,7 +64,8 @@ pub(super) async fn downhill<const D: usize>(
             return Ok((state, verdict));
         }
         trail.push(state.x.clone());
-        if tried == MOST || !search.may_go_on() {
+        let is_lost = search.has_friction && tried == LOST && nearest > FAR;
+        if is_lost || tried == MOST || !search.may_go_on() {
             break;
         }
         let is_near = search.balance.relative() < CURRENT_BELOW && frozen_for == 0;

@@ -47,7 +47,7 @@ pub(super) async fn load_step<const D: usize>(asking: Asking<D>, step: LoadStep<
     match in_parts(&mut search, &step).await {
         Ok(found) => Ok(found),
         Err(trouble) => {
-            let trouble = with_what_breaks(&search, trouble);
+            let trouble = with_advice(&search, with_what_breaks(&search, trouble));
             let undo = search.host.contact(move |contact| {
                 contact.release_friction();
                 if contact.history.stiffened != stiffened {
@@ -59,6 +59,19 @@ pub(super) async fn load_step<const D: usize>(asking: Asking<D>, step: LoadStep<
             undo.await;
             Err(Refusal::new(trouble, search.balance.history, search.host.solves()))
         }
+    }
+}
+
+/// What may lead on, where it is known.
+fn with_advice<const D: usize>(search: &Search<D>, trouble: Trouble) -> Trouble {
+    match trouble {
+        Trouble::Failed(_) | Trouble::Adrift(..) if !search.may_go_on() => {
+            trouble.and("no more linear solves are allowed: allow more, or take smaller load steps")
+        }
+        Trouble::Failed(_) | Trouble::Adrift(..) if search.has_friction => {
+            trouble.and("smaller load steps may lead on")
+        }
+        trouble => trouble,
     }
 }
 

@@ -9,6 +9,7 @@ use super::levels::FINER;
 use super::motions::Motions;
 use super::outcome::Found;
 use super::overlaps::overlaps;
+use super::rounded::rounded;
 use super::search::Search;
 use super::standing::standing;
 use super::state::State;
@@ -243,6 +244,9 @@ async fn finished<const D: usize>(
     let (solves, left) = (search.host.solves(), search.balance.relative());
     if reached.verdict == Verdict::Rounded && left > search.options.tolerance {
         let text = format!("the residual stays at {left:.1e} of the forces: the host's own forces are rounded so far");
+        search.warn(text);
+    }
+    if let Some(text) = rounded(search, &reached.state, reached.verdict).await? {
         search.warn(text);
     }
     for text in doubtful(search, &reached).await {

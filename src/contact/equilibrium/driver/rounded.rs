@@ -1,0 +1,34 @@
+//! What is said where forces are hardly more than what coordinates are rounded to.
+
+use super::balance::Verdict;
+use super::search::Search;
+use super::state::State;
+use super::trouble::Trouble;
+use super::unknowns::norm;
+
+/// Part of the forces that rounding may change, at the worst, before it is told: it changes a twentieth of that as a rule.
+const MATTERS: f64 = 1e-2;
+
+/// Part of the rounding from which on forces may be a load: those of a host that finds strains from coordinates are less without one.
+const A_LOAD: f64 = 0.02;
+
+/// What rounding does to the forces of an equilibrium, where it is much: k times the rounding of coordinates is a pressure.
+pub(super) async fn rounded<const D: usize>(
+    search: &Search<D>,
+    state: &State<D>,
+    verdict: Verdict,
+) -> Result<Option<String>, Trouble> {
+    let rounding = search.balance.rounding(&search.host, &search.assembly, state).await?;
+    let (load, unseen) = (norm(&state.inside), norm(&rounding.of_coordinates));
+    let remedy = "move the model nearer to the origin, or set a lower stiffness";
+    if verdict == Verdict::Rounded && search.balance.relative() == 0.0 && load > A_LOAD * unseen {
+        return Ok(Some(format!(
+            "forces of {load:.1e} count as none: coordinates are rounded, which at the stiffness of bodies and contact is {unseen:.1e}; {remedy}"
+        )));
+    }
+    let (lost, forces) = (norm(&rounding.of_state), load.max(norm(&state.forces)).max(search.balance.at_start()));
+    Ok((state.contact.contact_area > 0.0 && lost > MATTERS * forces).then(|| {
+        let part = 100.0 * lost / forces;
+        format!("forces may be wrong by up to {part:.0} %: coordinates are rounded, which at the stiffness of the contact is {lost:.1e}; {remedy}")
+    }))
+}
