@@ -2,7 +2,7 @@
 //!
 //! What slides has no stiffness along its way, and the least one by which no step goes too far, traction by slip, leads to where it sticks by
 //! ever smaller steps: where two facets rub a body along opposite ways, by the difference of their limits each. The primal–dual method
-//! (Chan, Golub, Mulet, SIAM J. Sci. Comput. 20, 1999, (3.10)) has both as its ends. The equation |s| m = s of the traction m, a part of the
+//! (Chan, Golub, Mulet, SIAM J. Sci. Comput. 20, 1999) has both as its ends. The equation |s| m = s of the traction m, a part of the
 //! limit, is linearised in m and s, and m, not s / |s|, is what the stiffness has: (I − m sᵀ / |s|) / |s|. Where a step asks for less than
 //! the limit of a facet, it has the stiffness that leads to where the facet sticks.
 
