@@ -47,6 +47,7 @@ pub(crate) use governed::{Governed, LawFields};
 pub(crate) use governed_energy::GovernedAt;
 pub use interface_law::{InterfaceLaw, LawFailure, LawPoints, LawResponse};
 pub use law_check::{LawCheck, LawReport, check_law};
+pub(crate) use law_check::{ROUNDED, alike};
 pub(crate) use point_state::PointState;
 pub use point_state::{PointDamage, PointHistory};
 pub use ppr_law::Ppr;

@@ -112,6 +112,12 @@ pub(crate) struct Answer {
 }
 
 impl Answer {
+    /// All of them.
+    pub(super) fn parts(&self) -> [&[f64]; 5] {
+        let Self { tractions, tangents, history, stored, dissipated } = self;
+        [tractions, tangents, history, stored, dissipated]
+    }
+
     /// Asks a law.
     ///
     /// # Errors

@@ -104,6 +104,10 @@ def test_the_check_finds_what_is_right_and_what_is_wrong():
         with np.errstate(invalid="ignore"):
             return right.traction, np.eye(2) * np.nan_to_num(right.traction / points.jump)[:, :, None], right.history
 
+    matrix = np.random.default_rng(0).standard_normal((3, 3))
+    products = lambda points: (points.fields[0, 1, 0] * points.jump @ matrix.T, np.broadcast_to(2.0 * matrix, points.axes.shape))
+    assert not any("WRONG" in text for text in check_law(products, 3, 0.1, fields=[2.0]))
+
     wrong = [text for text in check_law(secant, 2, 0.05, history=2) if "WRONG" in text]
     assert len(wrong) == 1 and "the derivative of traction" in wrong[0]
     with pytest.raises(errors.DimensionError):

@@ -124,6 +124,12 @@ pub(super) struct Limits {
 }
 
 impl Limits {
+    /// All of them.
+    pub(super) fn parts(&self) -> [&[f64]; 4] {
+        let Self { limits, by_pressure, by_slip, history } = self;
+        [limits, by_pressure, by_slip, history]
+    }
+
     /// Asks a law.
     ///
     /// # Errors

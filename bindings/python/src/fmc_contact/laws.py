@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from ctypes import byref, c_size_t
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, Optional, Union
 
 import numpy as np
@@ -151,7 +151,7 @@ def law_struct(law: InterfaceLaw, history: int, guard: Callable[..., Callable[..
     return struct, callback
 
 
-def check_law(law: InterfaceLaw, dim: int, scale: float, *, history: int = 0, jump: Optional[ArrayLike] = None, time_step: float = 0.0) -> list[str]:
+def check_law(law: InterfaceLaw, dim: int, scale: float, *, history: int = 0, jump: Optional[ArrayLike] = None, time_step: float = 0.0, fields: Optional[ArrayLike] = None) -> list[str]:
     """Sentences on your own law: whether the same question has the same answer, and whether its tangent is the derivative of its traction.
 
     Differences have steps of 1e-6 of ``scale``, and must agree to 1e-6 of the largest entry. Corners of a law, as where damage begins, are
@@ -171,6 +171,8 @@ def check_law(law: InterfaceLaw, dim: int, scale: float, *, history: int = 0, ju
         Jumps at which to check. Default: 60 that are spread over −scale/4 … scale along the normal and −scale … scale across it.
     time_step : float
         How long the step takes. 0: nothing is said.
+    fields : array_like, (m,), optional
+        Values of fields, the same on both sides of every point, for a law that looks at them.
 
     Returns
     -------
@@ -193,7 +195,12 @@ def check_law(law: InterfaceLaw, dim: int, scale: float, *, history: int = 0, ju
     'symmetry: the tangent is symmetric'
     """
     raised: list[BaseException] = []
-    struct, _alive = law_struct(law, history, lambda function: guarded(function, raised))
+    values = np.empty(0) if fields is None else floats(fields, "fields").ravel()
+
+    def with_fields(points: LawPoints) -> Union[LawResponse, tuple[ArrayLike, ...]]:
+        return law(replace(points, fields=np.broadcast_to(values, (len(points), 2, len(values)))))
+
+    struct, _alive = law_struct(law if fields is None else with_fields, history, lambda function: guarded(function, raised))
     each = integer(dim)
     if each is None:
         raise TypeError(f"dim is {dim!r}, expected 2 or 3")

@@ -133,7 +133,8 @@ class Pairs:
             The partners.
         law : str or callable, optional
             Law of the pair, as in ``Options``. Default: the law of the contact, also after it changes. With ``interface="law"`` your own law,
-            a function of ``LawPoints`` that returns a ``LawResponse``. Default then: the one that the pair has, with its history.
+            a function of ``LawPoints`` that returns a ``LawResponse``. Default then: the one that the pair has; its points begin with a
+            history of 0 again.
         stiffness : float, optional
             Stiffness of the pair. Alone, it goes with the law that the contact has now. Of a cohesive interface: the traction by
             opening without damage, and in compression. By default so much that damage begins at a hundredth of the opening at which a
@@ -227,6 +228,8 @@ class Pairs:
         own_law = None if law is None or isinstance(law, str) else law
         if (own_law is not None or (history != 0 and friction_law is None)) and interface != "law":
             raise ValueError(f"{'law' if own_law is not None else 'history'} of your own belongs to the interface 'law', and it is '{interface}'")
+        if history != 0 and own_law is None and friction_law is None:
+            raise ValueError(f"history is {history}, and no law is given that keeps it: give 'law', too")
         own = fmc_pair_options()
         check(library.fmc_pair_options_init(byref(own)))
         own.excluded, own.gap_offset = bool(excluded), float(gap_offset)
