@@ -47,7 +47,7 @@ pub(super) async fn load_step<const D: usize>(asking: Asking<D>, step: LoadStep<
     match in_parts(&mut search, &step).await {
         Ok(found) => Ok(found),
         Err(trouble) => {
-            let trouble = with_advice(&search, with_what_breaks(&search, trouble));
+            let trouble = with_advice(&search, with_what_breaks(&search, trouble)).await;
             let undo = search.host.contact(move |contact| {
                 contact.release_friction();
                 if contact.history.stiffened != stiffened {
@@ -63,8 +63,10 @@ pub(super) async fn load_step<const D: usize>(asking: Asking<D>, step: LoadStep<
 }
 
 /// What may lead on, where it is known.
-fn with_advice<const D: usize>(search: &Search<D>, trouble: Trouble) -> Trouble {
+async fn with_advice<const D: usize>(search: &Search<D>, trouble: Trouble) -> Trouble {
+    let has_law = search.host.contact(|contact| !contact.governed.is_empty()).await;
     match trouble {
+        Trouble::Failed(_) if has_law => trouble.and("an interface follows a law of the host: check its tangent first"),
         Trouble::Failed(_) | Trouble::Adrift(..) if !search.may_go_on() => {
             trouble.and("no more linear solves are allowed: allow more, or take smaller load steps")
         }
