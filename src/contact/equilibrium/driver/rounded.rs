@@ -27,7 +27,8 @@ pub(super) async fn rounded<const D: usize>(
         )));
     }
     let (lost, forces) = (norm(&rounding.of_state), load.max(norm(&state.forces)).max(search.balance.at_start()));
-    Ok((state.contact.contact_area > 0.0 && lost > MATTERS * forces).then(|| {
+    // Forces that are all rounding are those of bodies without a load.
+    Ok((state.contact.contact_area > 0.0 && lost > MATTERS * forces && lost < forces).then(|| {
         let part = 100.0 * lost / forces;
         format!("forces may be wrong by up to {part:.0} %: coordinates are rounded, which at the stiffness of the contact is {lost:.1e}; {remedy}")
     }))
