@@ -25,7 +25,12 @@ pub(crate) fn checked(status: fmc_status) -> fmc_status {
 
 /// NULL in the place of pointer number `which` if the hole is there; holes are rare.
 pub(crate) fn unless<T>(hole: Hole, which: u8, pointer: *mut T) -> *mut T {
-    if hole == which + 1 { null_mut() } else { pointer }
+    if is_null(hole, which) { null_mut() } else { pointer }
+}
+
+/// Whether pointer number `which` is NULL.
+pub(crate) fn is_null(hole: Hole, which: u8) -> bool {
+    hole == which + 1
 }
 
 /// Numbers of a host, laid out as it likes, with canaries in the gaps.
