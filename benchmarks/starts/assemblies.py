@@ -16,7 +16,7 @@ _PITCH, _PART = 3.0, 0.1
 SIZE = 0.25
 """Of a cell, by the width of a wall."""
 SOLVES = {6: 40, 12: 40, 30: 75}
-"""Linear solves, at most, by the number of parts: in the largest buildings parts creep to where one of those they rub on holds them."""
+"""Linear solves, at most, by the number of parts."""
 UNITS = {"m, Pa": (1.0, 2e11), "mm, MPa": (1e3, 2e5), "µm, N": (1e6, 0.2)}
 """Width of a wall and Young's modulus of the same parts."""
 
