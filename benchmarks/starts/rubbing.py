@@ -15,6 +15,9 @@ SLOPE = np.tan(np.radians(10))
 LOCKED = {0.0: 318.79, -1.0: 318.73, -10.0: 318.18, -50.0: 314.93}
 """Force on a side of the wedge by the load that is left after 500, reached in small steps: 500, 10, 1, 1e-6, 0, -1, -10, -25, -50."""
 
+KEY = {0.0: 1.2598, 0.2: 1.0637}
+"""The same of a tapered key driven by 10."""
+
 
 def overhang(friction, over, below, above):
     """A block that lies on another and stands out by a part of its width; it tips at 1/2."""
@@ -51,6 +54,26 @@ def wedge(path):
     return Problem(contact_of(bodies, friction_coefficient=0.5), np.zeros(bodies.size), steps, True)
 
 
+def key(load):
+    """A taper between two half-spaces whose faces are steeper, driven by 10 and let go; only friction and its own stress hold it."""
+    angle = np.radians(20)
+    mesh = grid(QUAD4.mesh, [-1, 0.05], [1, 0.95], [4, 5])
+    mesh = MeshQuad(np.array([mesh.p[0] * (0.3 + np.tan(angle) * mesh.p[1]), mesh.p[1]]), mesh.t)
+    bodies = Bodies([mesh], QUAD4, 1e5, POISSON)
+    contact = contact_of(bodies, friction_coefficient=0.6)
+    for side in (1, -1):
+        contact.contact.obstacles.add_half_space([0.3 * side, 0], [-side * np.cos(angle), np.sin(angle)])
+    top = bodies.unknowns(0, lambda x: x[1] > 0.95 - 1e-9, 1)
+    reason = "load steps of -1 and 0: where a body sticks depends a little on the way"
+    held = Expected("wall force", lambda found: np.abs(found.result.obstacles[0].force[0]), KEY[load], 1e-3, reason)
+    steps = []
+    for force, expected in ((-10.0, ()), (load, (held,))):
+        forces = np.zeros(bodies.size)
+        forces[top] = force / len(top)
+        steps.append(Step(bodies.host(forces), bodies.free([]), expected=expected, most_solves=30))
+    return Problem(contact, np.zeros(bodies.size), steps, True)
+
+
 def clamp(friction, way, cells):
     """A bar that is pulled out between two jaws, pressed by a force, in one step."""
     low, high = [(-1, -0.2), (0, 0.2), (0, -0.8)], [(2, 0.2), (1, 0.8), (1, -0.2)]
@@ -79,5 +102,7 @@ PROBLEMS = {
 }
 for path in ((500.0, 10.0, 1.0, 1e-6, 0.0), (500.0, 0.0), (500.0, -1.0), (500.0, 10.0, -10.0), (500.0, -1e-3, -50.0), (500.0, -50.0)):
     PROBLEMS[f"wedge, loads {', '.join(f'{force:g}' for force in path)}"] = partial(wedge, path)
+for load in KEY:
+    PROBLEMS[f"tapered key, loads -10, {load:g}"] = partial(key, load)
 PROBLEMS["bar out of a clamp by 0.05, μ 0.4"] = partial(clamp, 0.4, 0.05, (15, 6, 7))
 SLOW = set()

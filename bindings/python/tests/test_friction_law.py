@@ -115,6 +115,8 @@ def test_a_cap_holds_and_the_check_knows_its_corner():
 
 def test_a_wrong_derivative_is_told_with_place_and_sizes():
     wrong = lambda facets: (facets.pressure**2, facets.pressure)
+    warm = lambda facets: (facets.fields[:, 0, 0] * facets.pressure, facets.fields[:, 0, 0])
+    assert not any("WRONG" in text for text in check_friction_law(warm, 3, 1.0, 1.0, fields=[0.3]))
     text = next(text for text in check_friction_law(wrong, 2, 1.0, 1.0) if "WRONG" in text)
     assert "the derivative of the limit by the pressure is given as" in text and "at a pressure of" in text, text
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from ctypes import byref, c_size_t
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, Optional, Union
 
 import numpy as np
@@ -160,7 +160,9 @@ def friction_law_struct(law: FrictionLaw, history: int, guard: Callable[..., Cal
     return struct, callback
 
 
-def check_friction_law(law: FrictionLaw, dim: int, pressure: float, slip: float, *, history: int = 0, time_step: float = 0.0) -> list[str]:
+def check_friction_law(
+    law: FrictionLaw, dim: int, pressure: float, slip: float, *, history: int = 0, time_step: float = 0.0, fields: Optional[ArrayLike] = None
+) -> list[str]:
     """Sentences on your own law of friction: whether the same question has the same answer, and whether its derivatives are those of its limit.
 
     It is asked at 60 pressures and slips. Differences have steps of 1e-6 of ``pressure`` and ``slip``, and must agree to 1e-6 of the limit.
@@ -169,7 +171,7 @@ def check_friction_law(law: FrictionLaw, dim: int, pressure: float, slip: float,
     Parameters
     ----------
     law : callable
-        The law, as for ``pairs.set``. It is asked without fields.
+        The law, as for ``pairs.set``.
     dim : int
         2 or 3.
     pressure : float
@@ -180,6 +182,8 @@ def check_friction_law(law: FrictionLaw, dim: int, pressure: float, slip: float,
         How many numbers a facet keeps.
     time_step : float
         How long the step takes. 0: nothing is said.
+    fields : array_like, (m,), optional
+        Values of fields, the same on both sides of every facet, for a law that looks at them.
 
     Returns
     -------
@@ -200,7 +204,12 @@ def check_friction_law(law: FrictionLaw, dim: int, pressure: float, slip: float,
     'answers: the same question has the same answer, facet by facet'
     """
     raised: list[BaseException] = []
-    struct, _alive = friction_law_struct(law, history, lambda function: guarded(function, raised))
+    values = np.empty(0) if fields is None else floats(fields, "fields").ravel()
+
+    def with_fields(facets: FrictionFacets) -> Union[FrictionResponse, tuple[ArrayLike, ...]]:
+        return law(replace(facets, fields=np.broadcast_to(values, (len(facets), 2, len(values)))))
+
+    struct, _alive = friction_law_struct(law if fields is None else with_fields, history, lambda function: guarded(function, raised))
     each = integer(dim)
     if each is None or each < 0:
         raise TypeError(f"dim is {dim!r}, expected 2 or 3")

@@ -197,7 +197,7 @@ class Pairs:
             With ``softening="ppr"``: the opening or sliding at the strength, divided by the one at which the traction ends. Above 0, and
             at most 1/√(2 shape − 1). Default: 0.05.
         history : int
-            With your own law: how many numbers each point, or facet, keeps from step to step. They begin with 0.
+            With your own law: how many numbers each point, or facet, keeps from step to step. They begin with 0, also where a law is set again.
         friction_law : callable, optional
             Your own law of friction, in place of coefficients, ``cohesion`` and ``shear_limit``: a function of ``FrictionFacets`` that returns
             a ``FrictionResponse``, with the tractions at which facets slide. Options of the pair that are set later take it back.

@@ -22,9 +22,9 @@ const SHIFT: f64 = 1e-12;
 const LITTLE: f64 = 1e-6;
 
 /// Part of the forces above which bodies are wedged where they are after a step in which nothing slides, whatever is left of the load, and
-/// residual by these forces below which they balance there: forces of bodies that part are gone by then, but for what surfaces cannot pull.
-const WEDGED: f64 = 1e-3;
-const BALANCE: f64 = 0.5;
+/// residual by these forces below which they may balance there: bodies that part press hardly by then, or drive one another apart.
+const WEDGED: f64 = 2e-3;
+const BALANCE: f64 = 1.1;
 
 /// Where bodies go if nothing slides or parts.
 pub(super) struct Stuck {
