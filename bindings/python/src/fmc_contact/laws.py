@@ -151,7 +151,16 @@ def law_struct(law: InterfaceLaw, history: int, guard: Callable[..., Callable[..
     return struct, callback
 
 
-def check_law(law: InterfaceLaw, dim: int, scale: float, *, history: int = 0, jump: Optional[ArrayLike] = None, time_step: float = 0.0, fields: Optional[ArrayLike] = None) -> list[str]:
+def check_law(
+    law: InterfaceLaw,
+    dim: int,
+    scale: float,
+    *,
+    history: int = 0,
+    jump: Optional[ArrayLike] = None,
+    time_step: float = 0.0,
+    fields: Optional[ArrayLike] = None,
+) -> list[str]:
     """Sentences on your own law: whether the same question has the same answer, and whether its tangent is the derivative of its traction.
 
     Differences have steps of 1e-6 of ``scale``, and must agree to 1e-6 of the largest entry. Corners of a law, as where damage begins, are
