@@ -206,7 +206,7 @@ def check_friction_law(
     raised: list[BaseException] = []
     values = np.empty(0) if fields is None else floats(fields, "fields").ravel()
 
-    def with_fields(facets: FrictionFacets) -> Union[FrictionResponse, tuple[ArrayLike, ...]]:
+    def with_fields(facets: FrictionFacets) -> Union[FrictionResponse, tuple[Optional[ArrayLike], ...]]:
         return law(replace(facets, fields=np.broadcast_to(values, (len(facets), 2, len(values)))))
 
     struct, _alive = friction_law_struct(law if fields is None else with_fields, history, lambda function: guarded(function, raised))
