@@ -9,7 +9,7 @@
 //! `options` · `return_mapping` (from slip to `traction`) · `orthotropic`, `ellipse`, `direction` (limits that are other ones along a direction) · `past_points`, `step` (the state when
 //! the step began) · `moved_out` (surfaces that multipliers move out) · `side_motion` (how one side moved since) · `turn` (arcs of sides that turn) · `touch` (the part of the step during which a facet bears) · `carried` (elastic slip from one step to the next) · `carriers` (the facets on which a point
 //! lies) · `law`, `law_limits`, `law_check` (limits by a law of the host) · `energy` (what a facet has dissipated) · `bore` (limits before) · `facet_sums` (sums over the points of a facet) · `slip_facets` (the facets of a pair with their slip) ·
-//! `tractions` (forces, tangent and energies of a pair) · `frozen` (facets and pressure of an earlier iteration) ·
+//! `tractions` (forces, tangent and energies of a pair) · `frozen` (facets and pressure of an earlier iteration), `duals` (and its tractions) ·
 //! `at_points` (what hosts see) · `heat` (where dissipated energy goes) · `worn_off` (by what slides)
 
 mod at_points;
