@@ -48,7 +48,8 @@ pub(super) async fn falling_load<const D: usize>(search: &mut Search<D>, start: 
     if !(part.is_finite() && part < 1.0) {
         return Ok(start);
     }
-    if search.has_friction {
+    // A load beside which the one before was nothing does not fall.
+    if search.has_friction && norm(&before) > CHANGED * norm(&now) {
         let (part, forces) = (part.max(0.0), norm(&start.forces));
         search.falling =
             Some(Falling { part, forces, before: search.host.contact(|contact| contact.all_multipliers()).await });
