@@ -6,6 +6,7 @@ use super::host::Host;
 use super::search::Search;
 use super::state::State;
 use super::trouble::Trouble;
+use super::unchanged::was_found;
 use super::unknowns::{dot, norm};
 use super::unloaded::is_gone;
 
@@ -48,8 +49,8 @@ pub(super) async fn falling_load<const D: usize>(search: &mut Search<D>, start: 
     if !(part.is_finite() && part < 1.0) {
         return Ok(start);
     }
-    // A load beside which the one before was nothing does not fall.
-    if search.has_friction && norm(&before) > CHANGED * norm(&now) {
+    // Whether forces where the step begins were those of a load that is gone or has turned is known after an equilibrium alone.
+    if search.has_friction && (part > 0.0 || was_found(search, &start).await) {
         let (part, forces) = (part.max(0.0), norm(&start.forces));
         search.falling =
             Some(Falling { part, forces, before: search.host.contact(|contact| contact.all_multipliers()).await });

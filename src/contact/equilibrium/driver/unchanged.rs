@@ -28,6 +28,12 @@ pub(super) async fn taken_up<const D: usize>(search: &mut Search<D>, start: &Sta
     }
 }
 
+/// Whether the last search has ended here.
+pub(super) async fn was_found<const D: usize>(search: &Search<D>, start: &State<D>) -> bool {
+    let x = start.x.clone();
+    search.host.contact(move |contact| contact.history.last.as_ref().is_some_and(|last| last.x == x)).await
+}
+
 /// Keeps what the next search takes up.
 pub(super) async fn kept<const D: usize>(search: &Search<D>, end: &State<D>) {
     let last = LastEquilibrium {
