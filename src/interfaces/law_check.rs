@@ -22,10 +22,12 @@ const ALIKE: f64 = 1e-12;
 /// What is said then.
 pub(crate) const ROUNDED: &str = ", but for rounding: so much may other numbers of ranks change, too";
 
-/// Whether answers are the same but for rounding.
-pub(crate) fn alike(one: &[f64], other: &[f64]) -> bool {
-    let largest = one.iter().chain(other).fold(0.0, |most: f64, x| most.max(x.abs()));
-    one.iter().zip(other).all(|(x, y)| (x - y).abs() <= ALIKE * largest)
+/// Whether answers, array by array, are the same but for rounding.
+pub(crate) fn alike(ones: &[&[f64]], others: &[&[f64]]) -> bool {
+    ones.iter().zip(others).all(|(one, other)| {
+        let largest = one.iter().chain(*other).fold(0.0, |most: f64, x| most.max(x.abs()));
+        one.iter().zip(*other).all(|(x, y)| (x - y).abs() <= ALIKE * largest)
+    })
 }
 
 /// What a law is checked with.
@@ -234,7 +236,7 @@ impl<'a> Asked<'a> {
                 dissipated: one(&first.dissipated, 1),
             };
             is_rounded |= alone != beside;
-            if !alone.parts().into_iter().zip(beside.parts()).all(|(one, other)| alike(one, other)) {
+            if !alike(&alone.parts(), &beside.parts()) {
                 return Ok(format!(
                     "answers: WRONG: point {point} has another answer alone than beside others: points must not depend on one another"
                 ));

@@ -200,7 +200,7 @@ impl<'a> Asked<'a> {
                 history: one(&first.history, self.per_facet),
             };
             is_rounded |= alone != beside;
-            if !alone.parts().into_iter().zip(beside.parts()).all(|(one, other)| alike(one, other)) {
+            if !alike(&alone.parts(), &beside.parts()) {
                 return Ok(format!(
                     "answers: WRONG: facet {facet} has another answer alone than beside others: facets must not depend on one another"
                 ));

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from ctypes import byref, c_size_t
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Any, Optional, Union
 
 import numpy as np
@@ -15,7 +15,8 @@ from ._constants import FMC_PARTNER
 from ._handle import guarded
 from ._index import integer
 from ._library import check, library
-from ._structs import fmc_friction_facets, fmc_friction_law, fmc_friction_response, fmc_limit_friction, fmc_log_callback
+from ._own_laws import history_count, sentences, with_fields
+from ._structs import fmc_friction_facets, fmc_friction_law, fmc_friction_response, fmc_limit_friction
 
 
 @dataclass(frozen=True, eq=False)
@@ -147,11 +148,7 @@ def _asked(law: FrictionLaw) -> Callable[..., None]:
 
 def friction_law_struct(law: FrictionLaw, history: int, guard: Callable[..., Callable[..., int]]) -> tuple[fmc_friction_law, Any]:
     """A law for the library, and what has to live as long as it."""
-    count = integer(history)
-    if count is None:
-        raise TypeError(f"history is {history!r}, expected how many numbers a facet keeps")
-    if count < 0:
-        raise ValueError(f"history is {count}, expected at least 0")
+    count = history_count(history, "facet")
     if not callable(law):
         raise TypeError(f"friction_law is {law!r}, expected a function of the facets")
     struct, callback = fmc_friction_law(), fmc_limit_friction(guard(_asked(law)))
@@ -204,21 +201,9 @@ def check_friction_law(
     'answers: the same question has the same answer, facet by facet'
     """
     raised: list[BaseException] = []
-    values = np.empty(0) if fields is None else floats(fields, "fields").ravel()
-
-    def with_fields(facets: FrictionFacets) -> Union[FrictionResponse, tuple[Optional[ArrayLike], ...]]:
-        return law(replace(facets, fields=np.broadcast_to(values, (len(facets), 2, len(values)))))
-
-    struct, _alive = friction_law_struct(law if fields is None else with_fields, history, lambda function: guarded(function, raised))
+    struct, _alive = friction_law_struct(with_fields(law, fields), history, lambda function: guarded(function, raised))
     each = integer(dim)
     if each is None or each < 0:
         raise TypeError(f"dim is {dim!r}, expected 2 or 3")
-    texts: list[str] = []
-    tell = fmc_log_callback(lambda _user, _level, text: texts.append(text.decode()))
-    status = library.fmc_friction_law_check(byref(struct), each, float(pressure), float(slip), float(time_step), tell, None)
-    if raised:
-        raise raised[0]
-    # What is wrong with the answers is told; other errors come before any sentence.
-    if not texts:
-        check(status)
-    return texts
+    given = (byref(struct), each, float(pressure), float(slip), float(time_step))
+    return sentences(lambda tell: library.fmc_friction_law_check(*given, tell, None), raised)

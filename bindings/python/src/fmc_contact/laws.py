@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from ctypes import byref, c_size_t
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Any, Optional, Union
 
 import numpy as np
@@ -15,7 +15,8 @@ from ._core import Core
 from ._handle import guarded
 from ._index import integer
 from ._library import check, library
-from ._structs import fmc_law_point, fmc_law_points, fmc_law_response, fmc_log_callback, fmc_own_law, fmc_respond
+from ._own_laws import history_count, sentences, with_fields
+from ._structs import fmc_law_point, fmc_law_points, fmc_law_response, fmc_own_law, fmc_respond
 
 
 @dataclass(frozen=True, eq=False)
@@ -138,11 +139,7 @@ def _asked(law: InterfaceLaw) -> Callable[..., None]:
 
 def law_struct(law: InterfaceLaw, history: int, guard: Callable[..., Callable[..., int]]) -> tuple[fmc_own_law, Any]:
     """A law for the library, and what has to live as long as it."""
-    count = integer(history)
-    if count is None:
-        raise TypeError(f"history is {history!r}, expected how many numbers a point keeps")
-    if count < 0:
-        raise ValueError(f"history is {count}, expected at least 0")
+    count = history_count(history, "point")
     if not callable(law):
         raise TypeError(f"law is {law!r}, expected a function of the points")
     struct, callback = fmc_own_law(), fmc_respond(guard(_asked(law)))
@@ -204,29 +201,15 @@ def check_law(
     'symmetry: the tangent is symmetric'
     """
     raised: list[BaseException] = []
-    values = np.empty(0) if fields is None else floats(fields, "fields").ravel()
-
-    def with_fields(points: LawPoints) -> Union[LawResponse, tuple[ArrayLike, ...]]:
-        return law(replace(points, fields=np.broadcast_to(values, (len(points), 2, len(values)))))
-
-    struct, _alive = law_struct(law if fields is None else with_fields, history, lambda function: guarded(function, raised))
+    struct, _alive = law_struct(with_fields(law, fields), history, lambda function: guarded(function, raised))
     each = integer(dim)
     if each is None:
         raise TypeError(f"dim is {dim!r}, expected 2 or 3")
     jumps = np.empty((0, each)) if jump is None else np.ascontiguousarray(floats(jump, "jump"))
     if jumps.ndim != 2 or jumps.shape[1] != each:
         raise shape_error("jump", jumps.shape, f"(jumps, {each})")
-    texts: list[str] = []
-    tell = fmc_log_callback(lambda _user, _level, text: texts.append(text.decode()))
-    status = library.fmc_own_law_check(
-        byref(struct), each, float(scale), jumps if jumps.size else None, len(jumps), float(time_step), tell, None
-    )
-    if raised:
-        raise raised[0]
-    # What is wrong with the answers is told; other errors come before any sentence.
-    if not texts:
-        check(status)
-    return texts
+    given = (byref(struct), each, float(scale), jumps if jumps.size else None, len(jumps), float(time_step))
+    return sentences(lambda tell: library.fmc_own_law_check(*given, tell, None), raised)
 
 
 @dataclass(frozen=True, eq=False)
