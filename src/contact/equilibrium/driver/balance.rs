@@ -4,6 +4,7 @@ use super::assembly::Assembly;
 use super::host::Host;
 use super::state::{Rounding, State};
 use super::trouble::Trouble;
+use super::unknowns::norm;
 
 /// Part of the forces above which rounding is never taken for an answer.
 const TOO_MUCH: f64 = 1e-3;
@@ -37,13 +38,23 @@ pub(super) struct Balance {
     scale: f64,
     last: f64,
     stalled: usize,
+    rounded: [f64; 2],
     /// Residual by the forces, state by state.
     pub(super) history: Vec<f64>,
 }
 
 impl Balance {
     pub(super) fn new(tolerance: f64, pressed: Vec<f64>) -> Self {
-        Self { tolerance, pressed, at_start: 0.0, scale: 0.0, last: f64::INFINITY, stalled: 0, history: Vec::new() }
+        Self {
+            tolerance,
+            pressed,
+            at_start: 0.0,
+            scale: 0.0,
+            last: f64::INFINITY,
+            stalled: 0,
+            rounded: [0.0; 2],
+            history: Vec::new(),
+        }
     }
 
     /// The scale of a step that begins in equilibrium is that of the forces there: an unloaded end has none of its own.
@@ -81,6 +92,11 @@ impl Balance {
         self.at_start
     }
 
+    /// What rounding may leave of the residual of the last state that was judged: of displacements as they are, and of coordinates.
+    pub(super) fn rounded(&self) -> [f64; 2] {
+        self.rounded
+    }
+
     /// Forces by which the last state was judged.
     pub(super) fn scale(&self) -> f64 {
         self.scale
@@ -103,6 +119,7 @@ impl Balance {
         state: &State<D>,
     ) -> Result<Verdict, Trouble> {
         let rounding = self.rounding(host, assembly, state).await?;
+        self.rounded = [norm(&rounding.of_state), norm(&rounding.of_coordinates)];
         let scale = state.scale(&rounding.of_state).max(self.at_start);
         self.scale = scale;
         let beyond = state.beyond(host, &rounding.of_state);

@@ -3,7 +3,6 @@
 use super::balance::Verdict;
 use super::search::Search;
 use super::state::State;
-use super::trouble::Trouble;
 use super::unknowns::norm;
 
 /// Part of the forces that rounding may change, at the worst, before it is told: it changes a twentieth of that as a rule.
@@ -13,23 +12,19 @@ const MATTERS: f64 = 1e-2;
 const A_LOAD: f64 = 0.02;
 
 /// What rounding does to the forces of an equilibrium, where it is much: k times the rounding of coordinates is a pressure.
-pub(super) async fn rounded<const D: usize>(
-    search: &Search<D>,
-    state: &State<D>,
-    verdict: Verdict,
-) -> Result<Option<String>, Trouble> {
-    let rounding = search.balance.rounding(&search.host, &search.assembly, state).await?;
-    let (load, unseen) = (norm(&state.inside), norm(&rounding.of_coordinates));
+pub(super) fn rounded<const D: usize>(search: &Search<D>, state: &State<D>, verdict: Verdict) -> Option<String> {
+    let [lost, unseen] = search.balance.rounded();
+    let load = norm(&state.inside);
     let remedy = "move the model nearer to the origin, or set a lower stiffness";
     if verdict == Verdict::Rounded && search.balance.relative() == 0.0 && load > A_LOAD * unseen {
-        return Ok(Some(format!(
+        return Some(format!(
             "forces of {load:.1e} count as none: coordinates are rounded, which at the stiffness of bodies and contact is {unseen:.1e}; {remedy}"
-        )));
+        ));
     }
-    let (lost, forces) = (norm(&rounding.of_state), load.max(norm(&state.forces)).max(search.balance.at_start()));
+    let forces = load.max(norm(&state.forces)).max(search.balance.at_start());
     // Forces that are all rounding are those of bodies without a load.
-    Ok((state.contact.contact_area > 0.0 && lost > MATTERS * forces && lost < forces).then(|| {
+    (state.contact.contact_area > 0.0 && lost > MATTERS * forces && lost < forces).then(|| {
         let part = 100.0 * lost / forces;
         format!("forces may be wrong by up to {part:.0} %: coordinates are rounded, which at the stiffness of the contact is {lost:.1e}; {remedy}")
-    }))
+    })
 }
