@@ -89,6 +89,16 @@ def clamp(friction, way, cells):
     return Problem(contact_of(bodies, friction_coefficient=friction), np.zeros(bodies.size), steps, True)
 
 
+def site(load, told):
+    """A steel block on another at site coordinates: the load is not much more than coordinates are rounded to there, or less."""
+    low, high = np.array([5e5, 4e6]), np.array([5e5 + 1, 4e6 + 0.5])
+    meshes = [grid(QUAD4.mesh, low, high, [4, 2]), grid(QUAD4.mesh, low + [0, 0.5], high + [0, 0.5], [5, 2])]
+    bodies = Bodies(meshes, QUAD4, 2e11, POISSON)
+    held = [bodies.unknowns(0, lambda x: x[1] < 4e6 + 1e-6)]
+    step = Step(bodies.host(bodies.weight(2 * load)), bodies.free(held), told=told)
+    return Problem(contact_of(bodies, friction_coefficient=0.3), np.zeros(bodies.size), [step], True)
+
+
 PROBLEMS = {
     f"block that overhangs by {over:g}, μ {friction:g}, {below} on {above} cells": partial(overhang, friction, over, below, above)
     for friction, over, below, above in (
@@ -105,4 +115,6 @@ for path in ((500.0, 10.0, 1.0, 1e-6, 0.0), (500.0, 0.0), (500.0, -1.0), (500.0,
 for load in KEY:
     PROBLEMS[f"tapered key, loads -10, {load:g}"] = partial(key, load)
 PROBLEMS["bar out of a clamp by 0.05, μ 0.4"] = partial(clamp, 0.4, 0.05, (15, 6, 7))
+for load, told in ((2e4, "count as none"), (1e6, "may be wrong by up to")):
+    PROBLEMS[f"load of {load:g} N at site coordinates"] = partial(site, load, told)
 SLOW = set()
