@@ -47,14 +47,18 @@ impl<const D: usize> Contact<D> {
         self.partners.table.law(&pair).is_some() || !self.method.options().law.is_without_stiffness()
     }
 
-    /// By row of coordinates the largest stiffness by area of what may press or pull there: of the laws, which ties and bodies that do not
-    /// separate have too, and of a cohesive interface that the row moves. Damage makes an interface no stiffer;
-    /// a law of the host is asked without a jump.
-    pub(crate) fn stiffness_by_row(&self) -> Vec<f64> {
-        let of_laws = self.partners.laws(&self.method).filter_map(|law| law.initial_stiffness()).fold(0.0, f64::max);
+    /// By row of coordinates the largest stiffness by area of what may press or pull there: of the laws of its body's pairs, which ties and
+    /// bodies that do not separate have too, and of a cohesive interface that the row moves. Damage makes an interface no stiffer;
+    /// a law of the host is asked without a jump. `body`: of every row, where it has one.
+    pub(crate) fn stiffness_by_row(&self, body: &[Option<usize>]) -> Vec<f64> {
         let has_stiffer = self.has_ties() && self.method.options().law.is_without_stiffness();
-        let of_laws = if has_stiffer { TIED * of_laws } else { of_laws };
-        let mut by_row = vec![of_laws; self.mesh.surface.unknown_count()];
+        let factor = if has_stiffer { TIED } else { 1.0 };
+        let of_body = |body| {
+            let laws = self.partners.laws_of(body, &self.method);
+            factor * laws.filter_map(|law| law.initial_stiffness()).fold(0.0, f64::max)
+        };
+        let of_bodies: Vec<f64> = (0..self.surface().body_count()).map(of_body).collect();
+        let mut by_row: Vec<f64> = body.iter().map(|body| body.map_or(0.0, |body| of_bodies[body])).collect();
         if !self.has_history() {
             return by_row;
         }

@@ -93,6 +93,12 @@ impl<const D: usize> LayerLaws<D> {
         self.by_body.iter().chain(self.by_pair.values()).map(|law| &**law)
     }
 
+    /// Those that pairs of a body may follow.
+    pub(crate) fn laws_of(&self, body: usize) -> impl Iterator<Item = &dyn PairLaw<D>> {
+        let of_pairs = self.by_pair.iter().filter(move |(pair, _)| pair.contains(&Partner::Body(body)));
+        self.by_body.get(body).into_iter().chain(of_pairs.map(|(_, law)| law)).map(|law| &**law)
+    }
+
     /// The law of a pair, sorted.
     pub(crate) fn law(&self, pair: &[Partner; 2]) -> &dyn PairLaw<D> {
         if let Some(law) = self.by_pair.get(pair) {

@@ -145,6 +145,16 @@ impl<const D: usize> Partners<D> {
         std::iter::once(&*method.law).chain(self.table.laws()).chain(of_layers)
     }
 
+    /// Those that pairs of a body may follow.
+    pub(crate) fn laws_of<'a>(
+        &'a self,
+        body: usize,
+        method: &'a Method<D>,
+    ) -> impl Iterator<Item = &'a dyn PairLaw<D>> {
+        let of_layers = self.layers.iter().flat_map(move |layers| layers.laws_of(body));
+        std::iter::once(&*method.law).chain(self.table.laws_of(body)).chain(of_layers)
+    }
+
     /// What these laws are.
     pub(crate) fn energy_laws(&self, options: &Options) -> impl Iterator<Item = EnergyLaw> {
         std::iter::once(options.law).chain(self.table.own_laws())

@@ -109,6 +109,12 @@ impl<const D: usize> PairTable<D> {
         self.0.values().filter_map(|entry| entry.law.as_deref())
     }
 
+    /// The same of pairs of a body.
+    pub(crate) fn laws_of(&self, body: usize) -> impl Iterator<Item = &dyn PairLaw<D>> {
+        let of_body = self.0.iter().filter(move |(pair, _)| pair.contains(&Partner::Body(body)));
+        of_body.filter_map(|(_, entry)| entry.law.as_deref())
+    }
+
     /// The friction of the pair, which has that of the contact but for coefficients of its own.
     pub(crate) fn friction(&self, pair: &[Partner; 2], of_contact: Friction) -> Friction {
         self.0.get(pair).map_or(of_contact, |entry| entry.options.friction(of_contact))

@@ -97,6 +97,7 @@ async fn prepared<const D: usize>(
         host.contact(move |contact| contact.begin_step(&coords)).await?;
     }
     let motions = Motions::loose(host, &assembly, &host.unknowns.coords(&step.x)).await?;
-    let pressed = host.contact(|contact| contact.stiffness_by_row()).await;
+    let body = assembly.body.clone();
+    let pressed = host.contact(move |contact| contact.stiffness_by_row(&body)).await;
     Ok((assembly, motions, has_friction, pressed))
 }
