@@ -62,7 +62,8 @@ impl<const D: usize> Contact<D> {
             return Err(Error::Length { array: "coords", expected, found: coords.len() });
         }
         let checked = Checked::new(bodies, expected * D)?;
-        let has_energy = self.history.frozen.is_some() || !self.partners.has_friction(self.method.options());
+        let is_without = self.history.sticking == 0.0 || !self.partners.has_friction(self.method.options());
+        let has_energy = self.history.frozen.is_some() || is_without;
         // The tangent of an interface that breaks, or of one by a law of the host, is not symmetric.
         let has_energy = has_energy && !self.has_history();
         let mut contact = Kept::new(self, coords, bodies, place);

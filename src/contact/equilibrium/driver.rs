@@ -11,7 +11,8 @@
 //! - `parts`: what is prescribed moves as far as nothing passes through anything, then the next part;
 //! - `unloaded`: bodies whose load is gone come to rest undeformed beside one another, if they can;
 //! - `stuck` (with `falling`, what is known of it): where a load falls that friction is borne with, the first step has nothing slide;
-//! - `levels`, `nearest` (with `secant`, `turned`), `downhill` (with `along`): the equilibrium, each from the same start where the one before has not found it;
+//! - `levels`, `nearest` (with `secant`, `turned`), `softly` (friction that sticks softly first), `downhill` (with `along`): the equilibrium, where the one
+//!   before has not found it;
 //! - `updates`: multipliers, until what is left of the penetration does not matter; `within_facets`: where there are none;
 //! - `patches`: those of the law `fiber`, where they are not left to the host;
 //! - `rounded`: forces that are hardly more than what coordinates are rounded to are told;
@@ -55,6 +56,7 @@ mod rows;
 mod search;
 mod secant;
 mod settle;
+mod softly;
 mod standing;
 mod state;
 mod stuck;

@@ -69,6 +69,7 @@ fn free<'a, const D: usize>(step: &'a Step<D>, coords: &'a Points<D>) -> Sliding
         is_by_depth: false,
         stiffer: 1.0,
         pulled: 1.0,
+        sticking: 1.0,
         own: None,
     }
 }
@@ -84,8 +85,11 @@ fn sliding_of<'a, const D: usize>(
     let Some(step) = history.step.as_ref().filter(|_| friction.is_active()) else { return Ok(None) };
     let what = "friction with a law that has no stiffness of its own: set the friction's";
     let stick = match friction.memoryless_slip {
-        Some(slip) => Stick::Memoryless(slip),
-        None => Stick::Spring(friction.stiffness.or(law.initial_stiffness()).ok_or(Error::Unsupported { what })?),
+        Some(slip) => Stick::Memoryless(slip / history.sticking.max(f64::MIN_POSITIVE.sqrt())),
+        None => {
+            let stiffness = friction.stiffness.or(law.initial_stiffness()).ok_or(Error::Unsupported { what })?;
+            Stick::Spring(history.sticking * stiffness)
+        }
     };
     let now = partners.bearing_rule(pair, method.options(), mesh.hashes());
     let bearings = history.bearings.as_ref().and_then(|bearings| bearings.of(pair, now));
@@ -95,9 +99,22 @@ fn sliding_of<'a, const D: usize>(
     let [stiffer, kept] = since.map_or([1.0; 2], |begun| begun.stiffer(pair, stiffness, history.stiffened));
     let pulled = if friction.has_stiffness_of_law() { kept / stiffer } else { 1.0 };
     let orthotropy = partners.orthotropy_of(pair, method.options());
-    let (time_step, fields) = (history.time_step, &history.law_fields);
+    let (time_step, fields, sticking) = (history.time_step, &history.law_fields, history.sticking);
     let own = partners.friction_law(pair).map(|own| OwnLimit { own, time_step, fields });
-    Ok(Some(Sliding { friction, orthotropy, stick, step, material: None, bearings, is_by_depth, stiffer, pulled, own }))
+    let material = None;
+    Ok(Some(Sliding {
+        friction,
+        orthotropy,
+        stick,
+        step,
+        material,
+        bearings,
+        is_by_depth,
+        stiffer,
+        pulled,
+        sticking,
+        own,
+    }))
 }
 
 /// The pairs that were in contact when the step began and are not any more, with how each slid; `found` are those that

@@ -198,7 +198,7 @@ impl<const D: usize> SlipFacets<D> {
             area: sums.area,
             slider: Slider { stick: sliding.stick, limit, ellipse },
             is_undirected,
-            trial: before.slip * before.part + tangential(slip * touch.counted),
+            trial: before.slip * (before.part * sliding.stretched()) + tangential(slip * touch.counted),
             counted: touch.counted,
             by_approach: tangential(slip * touch.by_approach),
             is_frozen: false,

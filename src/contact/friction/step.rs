@@ -88,11 +88,18 @@ pub(crate) struct Sliding<'a, const D: usize> {
     pub(crate) stiffer: f64,
     /// What elastic slip that is carried pulled with then, by what it does with the stiffness of now.
     pub(crate) pulled: f64,
+    /// Part of its stiffness with which it sticks.
+    pub(crate) sticking: f64,
     /// The law of the host that says at which traction facets slide; the coefficient of `friction` is then 1.
     pub(crate) own: Option<OwnLimit<'a>>,
 }
 
 impl<const D: usize> Sliding<'_, D> {
+    /// Factor by which elastic slip that is carried pulls as it did.
+    pub(crate) fn stretched(&self) -> f64 {
+        if self.sticking > 0.0 { 1.0 / self.sticking } else { 0.0 }
+    }
+
     /// How a facet bore when the step began, with the pressure of then by the stiffness of now, and by how much less deep that is; `None`
     /// where it is not known.
     pub(crate) fn bearing(&self, facet: &SliderName) -> Option<(Bearing, f64)> {

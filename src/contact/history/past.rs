@@ -21,6 +21,8 @@ pub(crate) struct History<const D: usize> {
     pub(crate) bearings: Option<Bearings>,
     /// Facets and pressures at which friction is frozen.
     pub(crate) frozen: Option<FrozenFriction<D>>,
+    /// Part of their stiffness with which facets stick while a search leads to where they do, 0 for none; else 1.
+    pub(crate) sticking: f64,
     pub(crate) patches: KeptPatches<D>,
     /// How far surfaces are moved out so that they press without penetration.
     pub(crate) multipliers: Multipliers<D>,
@@ -62,6 +64,7 @@ impl<const D: usize> History<D> {
             step: None,
             bearings: None,
             frozen: None,
+            sticking: 1.0,
             patches: KeptPatches::none(),
             multipliers: Multipliers::default(),
             worn: Worn::none(),
@@ -78,7 +81,8 @@ impl<const D: usize> History<D> {
 
     /// Begins a step; frozen friction is released.
     pub(crate) fn begin(&mut self, step: Step<D>, bearings: Option<Bearings>) {
-        (self.step, self.bearings, self.frozen) = (Some(step), bearings, None);
+        (self.step, self.bearings) = (Some(step), bearings);
+        self.release_friction();
     }
 
     /// What has begun, so that it can be laid aside.
@@ -90,7 +94,8 @@ impl<const D: usize> History<D> {
 
     /// Goes on with a step that was laid aside; frozen friction is released. As [`Self::stiffen`].
     pub(crate) fn take_up(&mut self, begun: Begun<D>, is_slip_of_law: bool) {
-        (self.step, self.bearings, self.frozen) = (begun.step, begun.bearings, None);
+        (self.step, self.bearings) = (begun.step, begun.bearings);
+        self.release_friction();
         (self.worn, self.damage, self.of_laws) = (begun.worn, begun.damage, begun.of_laws);
         if is_slip_of_law {
             self.divide_slip(self.stiffened / begun.stiffened);
@@ -139,9 +144,9 @@ impl<const D: usize> History<D> {
         }
     }
 
-    /// Takes the pressure of the coordinates at hand again.
+    /// Takes the pressure of the coordinates at hand again, and the whole stiffness of what sticks.
     pub(crate) fn release_friction(&mut self) {
-        self.frozen = None;
+        (self.frozen, self.sticking) = (None, 1.0);
     }
 
     /// Releases kept patches.

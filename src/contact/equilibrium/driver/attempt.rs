@@ -8,6 +8,7 @@ use super::options::DriverOptions;
 use super::outcome::Way;
 use super::search::Search;
 use super::settle::settle;
+use super::softly::{Softly, softly};
 use super::state::State;
 use super::stuck::stuck;
 use super::trouble::Trouble;
@@ -68,7 +69,7 @@ pub(super) async fn equilibrium<const D: usize>(
     balanced(search, &settled.x).await
 }
 
-/// The same without settling: each way from the same start.
+/// The same without settling: each way, from the same start but for the last.
 pub(super) async fn balanced<const D: usize>(search: &mut Search<D>, x: &[f64]) -> Result<Reached<D>, Trouble> {
     if search.is_condensed()
         && let Some((state, verdict)) = levels(search, x).await?
@@ -80,6 +81,35 @@ pub(super) async fn balanced<const D: usize>(search: &mut Search<D>, x: &[f64]) 
     {
         return Ok(Reached { state, verdict, way: Way::Nearest });
     }
-    let (state, verdict) = downhill(search, x).await?;
-    Ok(Reached { state, verdict, way: Way::Downhill })
+    rubbing(search, x).await
+}
+
+/// The equilibrium down the energy, with friction that sticks softly first where that is the shorter way: several bodies that stick to one
+/// another harden by small steps.
+async fn rubbing<const D: usize>(search: &mut Search<D>, x: &[f64]) -> Result<Reached<D>, Trouble> {
+    let is_soft = search.has_friction && !search.options.is_lagged;
+    if is_soft && search.motions.count() <= of_one_body(D) {
+        return match softly(search, x).await? {
+            Softly::Found(state, verdict) => Ok(Reached { state, verdict, way: Way::Nearest }),
+            Softly::From(x) => Ok(down(downhill(search, &x).await?)),
+        };
+    }
+    let trouble = match downhill(search, x).await {
+        Ok(found) => return Ok(down(found)),
+        Err(trouble @ (Trouble::Failed(_) | Trouble::Adrift(..))) if is_soft && search.may_go_on() => trouble,
+        Err(trouble) => return Err(trouble),
+    };
+    match softly(search, x).await? {
+        Softly::Found(state, verdict) => Ok(Reached { state, verdict, way: Way::Nearest }),
+        Softly::From(_) => Err(trouble),
+    }
+}
+
+fn down<const D: usize>((state, verdict): (State<D>, Verdict)) -> Reached<D> {
+    Reached { state, verdict, way: Way::Downhill }
+}
+
+/// Rigid motions of a body.
+const fn of_one_body(dim: usize) -> usize {
+    dim * (dim + 1) / 2
 }

@@ -21,7 +21,7 @@ use std::sync::Arc;
 pub(super) async fn load_step<const D: usize>(asking: Asking<D>, step: LoadStep<D>) -> Result<Found<D>, Refusal> {
     let host = Host::new(asking, step.unknowns.clone());
     // A search that was left where it was may have left it.
-    host.contact(|contact| contact.history.apart_at = None).await;
+    host.contact(|contact| (contact.history.apart_at, contact.history.sticking) = (None, 1.0)).await;
     let stiffened = host.contact(|contact| contact.history.stiffened).await;
     let is_found = host.contact(|contact| contact.options().law.is_without_stiffness()).await;
     let mut search = match prepared(&host, &step).await {

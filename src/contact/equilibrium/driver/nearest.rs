@@ -24,8 +24,9 @@ const SHIFT: f64 = 1e-12;
 /// Residual by the forces above which surfaces are not where they will press.
 const FAR: f64 = 0.1;
 
-/// Residual by the forces below which facets stay as they are, and what a step has shown holds for the next.
+/// Residual by the forces below which facets stay as they are, and what a step has shown holds for the next; the same after softer friction.
 const SETTLED: f64 = 1e-4;
+const SETTLED_HARDENED: f64 = 1e-2;
 
 /// Part of a step below which it leads nowhere.
 const SHORTEST: f64 = 1e-3;
@@ -39,6 +40,17 @@ pub(super) enum Begin {
     Stiff,
     /// After one in which all that rubs stuck: facets that turn round stick first.
     Stuck,
+    /// As they go on, where softer friction has led to.
+    Hardened,
+}
+
+/// Where the steps end.
+#[derive(Clone, Copy)]
+pub(super) enum Enough {
+    /// In equilibrium.
+    Balanced,
+    /// At this residual by the forces, without moving surfaces out, where it is not above its smallest as many times running.
+    Roughly(f64, usize),
 }
 
 /// The equilibrium, or `None` where it does not come nearer.
@@ -48,30 +60,43 @@ pub(super) async fn nearest<const D: usize>(
     begin: Begin,
 ) -> Result<Option<(State<D>, Verdict)>, Trouble> {
     let begun = search.balance.history.len();
-    if let Some(found) = by_whole_steps(search, start, begin).await? {
+    if let Some(found) = by_whole_steps(search, start, begin, Enough::Balanced).await? {
         return Ok(Some(found));
     }
     // Where it came near and stayed there, the first step has led past a kink.
     let was_near = search.balance.history[begun..].iter().any(|relative| *relative <= FAR);
-    if search.has_friction || !was_near { Ok(None) } else { by_whole_steps(search, start, Begin::Stiff).await }
+    if search.has_friction || !was_near {
+        Ok(None)
+    } else {
+        by_whole_steps(search, start, Begin::Stiff, Enough::Balanced).await
+    }
 }
 
 /// By whole steps with the full tangent; where they begin stiff the first one, if it is far from the end, with the semidefinite tangent: the full
 /// one takes pressed surfaces for softer than they are, and may lead nodes past one another.
-async fn by_whole_steps<const D: usize>(
+pub(super) async fn by_whole_steps<const D: usize>(
     search: &mut Search<D>,
     start: &[f64],
     begin: Begin,
+    enough: Enough,
 ) -> Result<Option<(State<D>, Verdict)>, Trouble> {
     search.begin_attempt();
     let mut state = State::at(&search.host, start.to_vec(), true).await?;
     let (mut secant, mut counted) = (search.has_friction.then(Secant::default), search.updates.count);
     let mut turned = Turned::default();
+    let settled = if begin == Begin::Hardened { SETTLED_HARDENED } else { SETTLED };
     let (mut least, mut above, mut updates) = (f64::INFINITY, 0, search.updates.count);
-    let most_above = if search.has_friction { ABOVE_WITH_FRICTION } else { ABOVE };
+    let most_above = match enough {
+        Enough::Roughly(_, above) => above,
+        Enough::Balanced if search.has_friction => ABOVE_WITH_FRICTION,
+        Enough::Balanced => ABOVE,
+    };
     for tried in 0..=2 * MOST {
         let verdict;
-        (state, verdict) = search.judged(state).await?;
+        (state, verdict) = match enough {
+            Enough::Roughly(enough, _) => search.roughly_judged(state, enough).await?,
+            Enough::Balanced => search.judged(state).await?,
+        };
         if verdict != Verdict::Not {
             return Ok(Some((state, verdict)));
         }
@@ -92,7 +117,7 @@ async fn by_whole_steps<const D: usize>(
         let is_turned = begin == Begin::Stuck && turned.held(search, &state.x).await?;
         let Ok(mut step) = solved(search, &state, system, is_turned).await else { return Ok(None) };
         if let Some(secant) = &mut secant {
-            let is_settled = search.balance.relative() < SETTLED && !is_turned;
+            let is_settled = search.balance.relative() < settled && !is_turned;
             step = secant.corrected(step, search.updates.count == counted && is_settled);
         }
         counted = search.updates.count;

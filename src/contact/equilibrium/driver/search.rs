@@ -107,6 +107,17 @@ impl<const D: usize> Search<D> {
         Ok((state, verdict))
     }
 
+    /// The same where a residual by the forces is enough, and surfaces stay where they are.
+    pub(super) async fn roughly_judged(
+        &mut self,
+        state: State<D>,
+        enough: f64,
+    ) -> Result<(State<D>, Verdict), Trouble> {
+        let verdict = self.balance.judge(&self.host, &self.assembly, &state).await?;
+        let is_enough = verdict != Verdict::Not || self.balance.relative() <= enough;
+        Ok((state, if is_enough { Verdict::Balanced } else { Verdict::Not }))
+    }
+
     /// The part of a step that may be taken.
     pub(super) async fn allowed(&self, x: &[f64], step: &[f64]) -> Result<f64, Trouble> {
         let (assembly, coords) = (Arc::clone(&self.assembly), self.host.unknowns.coords(x));
