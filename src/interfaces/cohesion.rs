@@ -26,6 +26,8 @@ pub(crate) struct Cohesion<const D: usize> {
     pub(crate) area: f64,
     pub(crate) left_out: Option<LeftOut>,
     pub(crate) facets: HeldFacets,
+    /// Whether each facet lies on one.
+    pub(crate) is_matching: bool,
     /// The largest gap, or overlap, that is kept.
     pub(crate) largest_gap: f64,
 }
@@ -89,6 +91,7 @@ impl<const D: usize> Cohesion<D> {
             CohesivePoint { measure: point.measure, jump, frame: frames[there], gap: point.gap }
         };
         let in_list = |weights: Weights| weights.into_iter().map(|(node, w)| (numbers[&(true, node)], w)).collect();
+        let (piece_count, facets) = (pairs.len(), held_facets(pairs, false));
         Ok(Self {
             bodies: between.bodies,
             nodes: numbers.keys().map(|(_, node)| *node).collect(),
@@ -97,7 +100,8 @@ impl<const D: usize> Cohesion<D> {
             frames: frames.keys().map(|&facet| corners(facet).map(in_list)).collect(),
             area,
             left_out: covered.left_out(&facing, weighting, area),
-            facets: held_facets(pairs, false),
+            is_matching: facets.iter().all(|side| side.len() == piece_count),
+            facets,
             largest_gap: found.iter().map(|(_, point)| point.gap.abs()).fold(0.0, f64::max),
         })
     }

@@ -16,6 +16,7 @@
 //! - `updates`: multipliers, until what is left of the penetration does not matter; `within_facets`: where there are none;
 //! - `patches`: those of the law `fiber`, where they are not left to the host;
 //! - `rounded`: forces that are hardly more than what coordinates are rounded to are told;
+//! - `uncommitted`, `locking`: steps that were never accepted, and cohesive interfaces too stiff for cells that do not match, are told;
 //! - `standing`: whether bodies that only contact holds stand;
 //! - `breaking`, `told_breaking`: cohesive interfaces that break on the way, for what is said where there is no equilibrium.
 //!
@@ -40,6 +41,7 @@ mod layers;
 mod levels;
 mod limit;
 mod load_step;
+mod locking;
 mod masses;
 mod motions;
 mod nearest;
@@ -64,6 +66,7 @@ mod told_breaking;
 mod trouble;
 mod turned;
 mod unchanged;
+mod uncommitted;
 mod unknowns;
 mod unloaded;
 mod updates;

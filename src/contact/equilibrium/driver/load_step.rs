@@ -13,6 +13,7 @@ use super::patches::Patches;
 use super::search::Search;
 use super::told_breaking::with_what_breaks;
 use super::trouble::Trouble;
+use super::uncommitted::uncommitted;
 use super::updates::Updates;
 use crate::contact::changes::friction_steps::take_up;
 use std::sync::Arc;
@@ -42,6 +43,9 @@ pub(super) async fn load_step<const D: usize>(asking: Asking<D>, step: LoadStep<
         },
         Err(trouble) => return Err(Refusal::new(trouble, Vec::new(), host.solves())),
     };
+    if let Some(text) = uncommitted(&search, &step.x).await {
+        search.warn(text);
+    }
     // By the stiffness with which the search began.
     let (before, begun) = search.host.contact(|contact| (contact.all_multipliers(), contact.history.begun())).await;
     match in_parts(&mut search, &step).await {

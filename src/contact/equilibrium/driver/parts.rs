@@ -6,6 +6,7 @@ use super::breaking::breaking;
 use super::falling_load::falling_load;
 use super::host::System;
 use super::levels::FINER;
+use super::locking::locking;
 use super::motions::Motions;
 use super::outcome::Found;
 use super::overlaps::overlaps;
@@ -252,11 +253,14 @@ async fn finished<const D: usize>(
     for text in doubtful(search, &reached).await {
         search.warn(text);
     }
+    for text in locking(search).await {
+        search.warn(text);
+    }
     if let Some(text) = search.updates.left(search.assembly.finest()) {
         search.warn(text);
     }
     if let Some(most) = search.updates.most_without() {
-        for text in within_facets((&search.host, &search.assembly), &reached.state, most).await {
+        for text in within_facets(search, &reached.state, most).await {
             search.warn(text);
         }
     }

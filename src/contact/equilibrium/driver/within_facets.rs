@@ -1,7 +1,6 @@
 //! Pairs that touch within single facets, of which multipliers at nodes know nothing.
 
-use super::assembly::Assembly;
-use super::host::Host;
+use super::search::Search;
 use super::state::State;
 use crate::contact::history::sorted;
 use crate::contact::results::PairForces;
@@ -11,6 +10,9 @@ use std::collections::BTreeSet;
 /// Mean penetration by the bodies' own displacement of which something is said where no update follows: displacements or forces are wrong
 /// by as much.
 pub(super) const TOLD: f64 = 1e-2;
+
+/// Forces of a pair, by all of them, that are none: what is left after a load is gone.
+const UNLOADED: f64 = 1e-6;
 
 /// How much penetration there may be without a word.
 pub(super) enum Most {
@@ -22,11 +24,8 @@ pub(super) enum Most {
 
 /// What is to be said of pairs that press and have no multiplier, as a corner in the middle of a facet: its nodes are apart on average, and
 /// what penetrates between them is left to the stiffness.
-pub(super) async fn within_facets<const D: usize>(
-    (host, assembly): (&Host<D>, &Assembly<D>),
-    state: &State<D>,
-    most: Most,
-) -> Vec<String> {
+pub(super) async fn within_facets<const D: usize>(search: &Search<D>, state: &State<D>, most: Most) -> Vec<String> {
+    let (host, assembly) = (&search.host, &search.assembly);
     let with_multipliers: BTreeSet<[Partner; 2]> =
         host.contact(|contact| contact.multipliers().iter().map(|one| sorted(one.partners)).collect()).await;
     // What is held together has an energy too, and does not penetrate.
@@ -36,11 +35,13 @@ pub(super) async fn within_facets<const D: usize>(
         Most::OfDisplacement(displacement) => (TOLD * displacement, Some(displacement)),
     };
     let is_left = |pair: &&PairForces| {
-        pair.a != pair.b && !with_multipliers.contains(&sorted([pair.a, pair.b])) && mean(pair) > most
+        let presses = pair.pressure * pair.contact_area > UNLOADED * search.balance.scale();
+        presses && pair.a != pair.b && !with_multipliers.contains(&sorted([pair.a, pair.b])) && mean(pair) > most
     };
     let said = |pair: &PairForces| {
-        let part = displacement.map_or_else(String::new, |displacement| {
-            format!(", {:.0} % of the bodies' own displacement", 100.0 * mean(pair) / displacement)
+        let part = displacement.map_or_else(String::new, |displacement| match mean(pair) / displacement {
+            part if part > 1.0 => ", more than the bodies' own displacement".to_owned(),
+            part => format!(", {:.0} % of the bodies' own displacement", 100.0 * part),
         });
         format!(
             "{} and {} touch within single facets, where no multiplier acts: they penetrate by {:.1e} on average{part}; refine both surfaces \

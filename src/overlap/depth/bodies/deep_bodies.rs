@@ -29,6 +29,9 @@ pub(crate) struct DeepBodies<'a, const D: usize> {
 /// Part of the forces that may be missing where bodies go on behind planes of symmetry.
 const MISTAKEN: f64 = 0.1;
 
+/// Part of the faces within the other body below which faces in one plane matter to no force.
+const FLUSH: f64 = 1e-6;
+
 /// Facets, or pieces, that a thread takes at once.
 pub(crate) const CHUNK: usize = 64;
 
@@ -69,7 +72,7 @@ impl<'a, const D: usize> DeepBodies<'a, D> {
             volume += 0.5 * found.volume;
         }
         let mut overlap = sums.overlap(self.pair, volume, 0.5 * area)?;
-        overlap.warnings.extend(self.flush_faces(sums.flush));
+        overlap.warnings.extend(self.flush_faces(sums.flush, area));
         overlap.warnings.extend(curved_faces(self.pair, &sums.facets, None));
         let (nodes, of_b, gradient) = sums.gradient.into_nodes();
         let imbalance = self.imbalance(&of_b, &gradient);
@@ -92,9 +95,10 @@ impl<'a, const D: usize> DeepBodies<'a, D> {
     }
 
     /// The warning of faces of so large an area that lie in one plane and look the same way, where it was not said which are surface.
-    pub(crate) fn flush_faces(&self, area: f64) -> Option<Warning> {
+    /// `inside`: of all faces within the other body, of which it must be more than next to nothing.
+    pub(crate) fn flush_faces(&self, area: f64, inside: f64) -> Option<Warning> {
         let [a, b] = self.pair.partners;
-        (area > 0.0 && !self.field.is_surface_told()).then_some(Warning::FlushFaces { a, b, area })
+        (area > FLUSH * inside && !self.field.is_surface_told()).then_some(Warning::FlushFaces { a, b, area })
     }
 
     /// The sum of all forces by the larger resultant of a side. Behind a plane of symmetry the overlap goes on, and presses on the plane by

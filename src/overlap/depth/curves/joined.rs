@@ -98,7 +98,7 @@ impl<const D: usize> Joined<'_, D> {
         }
         let Some(mut overlap) = sums.overlap(pair, volume, 0.5 * area) else { return Ok(None) };
         overlap.warnings = warnings;
-        overlap.warnings.extend(self.bodies.flush_faces(sums.flush));
+        overlap.warnings.extend(self.bodies.flush_faces(sums.flush, area));
         overlap.warnings.extend(curved_faces(pair, &sums.facets, Some(self.curves)));
         overlap.warnings.extend(errors.warning(pair));
         let (nodes, of_b, gradient) = sums.gradient.into_nodes();
