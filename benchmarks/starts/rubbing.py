@@ -1,4 +1,4 @@
-"""Bodies that friction holds or drags: blocks that overhang, wedges whose load is gone or turns, a bar pulled out of a clamp in one step."""
+"""Bodies that friction holds or drags: blocks that overhang, wedges whose load is gone or turns, planks on two supports, a bar pulled out of a clamp in one step."""
 
 from functools import partial
 
@@ -89,6 +89,27 @@ def clamp(friction, way, cells):
     return Problem(contact_of(bodies, friction_coefficient=friction), np.zeros(bodies.size), steps, True)
 
 
+def plank(friction, cells):
+    """A plank that bends over two square supports under its weight, and slides outwards on both."""
+    height, span, over, by_length = 0.3, 2.8, 0.6, 30.0
+    corners = [((-2, 0), (2, height)), ((-1.7, -0.5), (-1.4, 0)), ((1.4, -0.5), (1.7, 0))]
+    bodies = Bodies([grid(QUAD4.mesh, a, b, n) for (a, b), n in zip(corners, ([cells, 4], [3, 4], [4, 4]))], QUAD4, YOUNG, POISSON)
+    held = [bodies.unknowns(body, lambda x: x[1] < -0.5 + 1e-9) for body in (1, 2)]
+    load = bodies.weight(by_length / height, bodies=[0])
+    # Slope over the supports: of the span, of what hangs over, and of friction at the lower face.
+    bending, borne = YOUNG / (1 - POISSON**2) * height**3 / 12, by_length * (span / 2 + over)
+    moment = by_length * over**2 / 2 + friction * borne * height / 2
+    slope = (by_length * span**3 / 24 - moment * span / 2) / bending
+    outwards = (friction + slope) / (1 - friction * slope)
+    pushed = lambda found: found.result.bodies[2].force[0] / -found.result.bodies[2].force[1]
+    expected = (
+        Expected("outwards/N", pushed, outwards, 2e-3, "beam theory, without shear"),
+        Expected("borne/W", lambda found: -found.result.bodies[2].force[1] / borne, 1.0, 2e-3, "symmetry, but for the cells"),
+    )
+    step = Step(bodies.host(load), bodies.free(held), expected=expected, most_solves=35)
+    return Problem(contact_of(bodies, friction_coefficient=friction), np.zeros(bodies.size), [step], True)
+
+
 def site(load, told):
     """A steel block on another at site coordinates: the load is not much more than coordinates are rounded to there, or less."""
     low, high = np.array([5e5, 4e6]), np.array([5e5 + 1, 4e6 + 0.5])
@@ -115,6 +136,9 @@ for path in ((500.0, 10.0, 1.0, 1e-6, 0.0), (500.0, 0.0), (500.0, -1.0), (500.0,
 for load in KEY:
     PROBLEMS[f"tapered key, loads -10, {load:g}"] = partial(key, load)
 PROBLEMS["bar out of a clamp by 0.05, μ 0.4"] = partial(clamp, 0.4, 0.05, (15, 6, 7))
+for friction in (0.1, 0.3, 0.5):
+    for cells in (16, 24, 32, 40):
+        PROBLEMS[f"plank of {cells} cells on two supports, μ {friction:g}"] = partial(plank, friction, cells)
 for load, told in ((2e4, "count as none"), (1e6, "may be wrong by up to")):
     PROBLEMS[f"load of {load:g} N at site coordinates"] = partial(site, load, told)
 SLOW = set()

@@ -181,3 +181,15 @@ def test_viscosity_lets_a_crack_pass_in_large_steps():
     told = glued.pair.cohesive.interface(0, 1, glued.contact.coords(glued.u))
     # The crack has run as far as theory says but for a few percent, and the viscosity has taken more than the crack, which is told.
     assert told.dissipated == pytest.approx(5.37e-6, rel=0.1) and told.viscous > told.dissipated
+
+
+@pytest.mark.parametrize("upper, is_told", [(8, False), (11, True)])
+def test_an_interface_that_locks_is_told(upper, is_told):
+    # Far stiffer than contact of the same bodies, which has about 10 E/h: where cells match it is as if they were one.
+    glued = Glued(4.0, (8, upper), (ElementQuad1, ElementQuad1), normal_strength=1e-2, normal_energy=1e-6)
+    glued.pair.set_options(stiffness=0.0)
+    glued.free[np.concatenate([glued.dofs(body, lambda x: x[0] < 1e-9) for body in (0, 1)])] = False
+    for basis, first in glued.bases:
+        glued.load[first : first + basis.N] = 1e-6 * LinearForm(lambda v, w: v[1]).assemble(basis)
+    told = [str(warning) for warning in glued.step().warnings if "cells do not match" in str(warning)]
+    assert bool(told) == is_told and all("body 0 and body 1" in text for text in told)

@@ -260,3 +260,31 @@ def test_a_step_in_which_nothing_changes_needs_no_solve() -> None:
         again = find_equilibrium(host, block.contact, x, free, x.copy())
         assert again.iterations == 0 and np.array_equal(again.x, x)
         block.contact.friction.commit_step(x)
+
+
+def test_a_step_that_was_never_committed_is_told() -> None:
+    """Pulled on and back: without the commit slip counts from before the pull, and friction still holds against it."""
+    forces = {}
+    for commits in (True, False):
+        block = Block("depth", k=1e8)
+        top = np.flatnonzero(block.start[:, 1] > 0.5 - 1e-9)
+        free = np.setdiff1d(np.arange(block.start.size), np.concatenate([2 * top, 2 * top + 1]))
+        x, told = block.start, []
+        block.contact.friction.begin_step(x)
+
+        def host(x: np.ndarray, block: Block = block) -> tuple[np.ndarray, csr_matrix]:
+            return block.stiffness @ (x - block.start).ravel(), block.stiffness
+
+        for pull in (4e-3, 8e-3, 2e-3):
+            end = x.copy()
+            end[top] = block.start[top] + [pull, -1e-3]
+            found = find_equilibrium(host, block.contact, x, free, end)
+            x = found.x
+            told.append(any("was not committed" in str(warning) for warning in found.warnings))
+            if commits:
+                block.contact.friction.commit_step(x)
+        # The first step begins where friction does.
+        assert told == ([False] * 3 if commits else [False, True, True])
+        forces[commits] = found.result.obstacles[0].force[0]
+    # It slides back after the commit.
+    assert forces[True] == pytest.approx(-forces[False], rel=0.05)

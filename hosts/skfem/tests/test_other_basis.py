@@ -67,8 +67,7 @@ def test_nodes_are_where_the_displacement_puts_them(name):
             corners = basis.mesh.refdom.p
             for corner, t in enumerate(basis.mesh.t):
                 values = sum(
-                    of_axis[scalar.element_dofs[k]]
-                    * np.asarray(scalar.elem.gbasis(scalar.mapping, corners[:, [corner]].astype(float), k)[0])[:, 0]
+                    of_axis[scalar.element_dofs[k]] * np.asarray(scalar.elem.gbasis(scalar.mapping, corners[:, [corner]].astype(float), k)[0])[:, 0]
                     for k in range(len(scalar.element_dofs))
                 )
                 assert np.abs(at[t, axis] - basis.mesh.p[axis, t] - values).max() < 1e-12

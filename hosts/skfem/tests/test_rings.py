@@ -30,9 +30,7 @@ def pressed(v, w):
 @pytest.mark.parametrize("length", [1e-6, 1e-3, 1.0, 1e3])
 def test_a_stack_of_rings_is_shortened_as_much_in_every_unit(length: float, inner: float) -> None:
     heights = [(0.0, 1.0, 4), (1.0, 1.7, 5)]
-    meshes = [
-        MeshQuad.init_tensor(length * np.linspace(inner, 1, n + 1), length * np.linspace(low, high, 5)) for low, high, n in heights
-    ]
+    meshes = [MeshQuad.init_tensor(length * np.linspace(inner, 1, n + 1), length * np.linspace(low, high, 5)) for low, high, n in heights]
     bases = [Basis(mesh, ElementVector(ElementQuad1())) for mesh in meshes]
     starts = [0, bases[0].N]
     contact = SkfemContact(list(zip(bases, starts)), axisymmetric=True)

@@ -123,6 +123,28 @@ def test_the_search_needs_no_stiffness():
     assert set(tractions.body) == {0} and np.allclose(tractions.traction, STRESSES[2][:, 1], atol=1e-6)
 
 
+@pytest.mark.parametrize("ratio", [1e-6, 1e-4, 1.0])
+def test_a_coating_is_strained_by_its_substrate_at_any_load(ratio):
+    # All is linear: its traction by the strain of the bar is one number, and no residual of it is taken for rounding of the other one.
+    tractions = []
+    for strain in (1e-2, 1e-4, 1e-6):
+        tied = Tied([rectangle("Q4", (0, 0), (4, 1), (8, 2)), rectangle("Q4", (0, 1), (4, 1.5), (11, 2))])
+        bar, coating = (slice(first, first + basis.N) for basis, first in tied.bases)
+        tied.matrix = block_diag([tied.matrix[bar, bar], ratio * tied.matrix[coating, coating]], format="csr")
+        for dofs in (tied.bases[0][0].get_dofs(lambda x: x[0] < 1e-9).all("u^1"), tied.bases[0][0].get_dofs(lambda x: x[1] < 1e-9).all("u^2")):
+            tied.free[dofs] = False
+        basis = tied.bases[0][0]
+        end = FacetBasis(basis.mesh, basis.elem, facets=basis.mesh.facets_satisfying(lambda x: x[0] > 4 - 1e-9), intorder=5)
+        tied.load[bar] = LinearForm(lambda v, w: strain * v[0]).assemble(end)
+        found = tied.found()
+        inside = tied.matrix @ found.x
+        left = (inside - tied.load - tied.contact.force(found.x))[coating]
+        assert np.abs(left).max() < 1e-5 * np.abs(inside[coating]).max()
+        tractions.append(np.abs(tied.contact.contact.tie_nodes(tied.contact.coords(found.x)).traction).max() / (ratio * strain))
+    # Multipliers are updated until they change by 1e-3; coordinates of 4 are rounded to 1e-10 of the smallest displacement.
+    assert tractions == pytest.approx(np.full(3, tractions[0]), rel=1e-3)
+
+
 def rectangle(kind, low, high, edges):
     mesh = MeshQuad.init_tensor(*(np.linspace(low[axis], high[axis], edges[axis] + 1) for axis in range(2)))
     if kind == "T6":
