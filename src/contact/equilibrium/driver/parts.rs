@@ -260,7 +260,8 @@ async fn finished<const D: usize>(
         search.warn(text);
     }
     if let Some(most) = search.updates.most_without() {
-        for text in within_facets(search, &reached.state, most).await {
+        let scale = search.balance.scale();
+        for text in within_facets((&search.host, &search.assembly), (&reached.state, scale), most).await {
             search.warn(text);
         }
     }

@@ -1,6 +1,7 @@
 //! Pairs that touch within single facets, of which multipliers at nodes know nothing.
 
-use super::search::Search;
+use super::assembly::Assembly;
+use super::host::Host;
 use super::state::State;
 use crate::contact::history::sorted;
 use crate::contact::results::PairForces;
@@ -23,9 +24,12 @@ pub(super) enum Most {
 }
 
 /// What is to be said of pairs that press and have no multiplier, as a corner in the middle of a facet: its nodes are apart on average, and
-/// what penetrates between them is left to the stiffness.
-pub(super) async fn within_facets<const D: usize>(search: &Search<D>, state: &State<D>, most: Most) -> Vec<String> {
-    let (host, assembly) = (&search.host, &search.assembly);
+/// what penetrates between them is left to the stiffness. `scale`: all forces.
+pub(super) async fn within_facets<const D: usize>(
+    (host, assembly): (&Host<D>, &Assembly<D>),
+    (state, scale): (&State<D>, f64),
+    most: Most,
+) -> Vec<String> {
     let with_multipliers: BTreeSet<[Partner; 2]> =
         host.contact(|contact| contact.multipliers().iter().map(|one| sorted(one.partners)).collect()).await;
     // What is held together has an energy too, and does not penetrate.
@@ -35,7 +39,7 @@ pub(super) async fn within_facets<const D: usize>(search: &Search<D>, state: &St
         Most::OfDisplacement(displacement) => (TOLD * displacement, Some(displacement)),
     };
     let is_left = |pair: &&PairForces| {
-        let presses = pair.pressure * pair.contact_area > UNLOADED * search.balance.scale();
+        let presses = pair.pressure * pair.contact_area > UNLOADED * scale;
         presses && pair.a != pair.b && !with_multipliers.contains(&sorted([pair.a, pair.b])) && mean(pair) > most
     };
     let said = |pair: &PairForces| {

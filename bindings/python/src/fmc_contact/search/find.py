@@ -43,6 +43,8 @@ def find_equilibrium(
     Newton's method with whole steps, which finds the equilibrium beside the start, stable or not (``"nearest"``); down the energy
     (``"downhill"``). A load step that fails is made again in parts.
 
+    With friction, wear or damage call ``contact.friction.commit_step`` after each load step: slip counts from there.
+
     Parameters
     ----------
     residual_and_tangent : callable
