@@ -30,6 +30,14 @@ CODES = {
             "smooth surfaces": "the same with `set_surface_smoothing(30.0)`",
         },
     ),
+    "fmc_dolfinx": Code(
+        "fmc-contact in FEniCSx",
+        "SUITE_PYTHON_FENICSX",
+        {
+            "default": "`DolfinxContact(spaces)` and `find_equilibrium`; planes of symmetry are named",
+            "smooth surfaces": "the same with `set_surface_smoothing(30.0)`",
+        },
+    ),
     "fmc_getfem": Code("fmc-contact in GetFEM", "SUITE_PYTHON_GETFEM", {"default": "`GetfemContact(model, variables)` and `find_equilibrium`"}),
     "getfem": Code(
         "GetFEM",
