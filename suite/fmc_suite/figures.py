@@ -101,11 +101,11 @@ def _radial_pressure(problem: Problem, all_u: np.ndarray, step: int) -> float:
 
 
 def _peak(problem: Problem, all_u: np.ndarray, step: int) -> float:
-    """Peak of p² = p0² (1 − r²/a²), fitted where the pressure is more than 0.4 of the largest, without the edge of the contact."""
+    """Peak of p² = p0² (1 − x²/a² − y²/b²), fitted where the pressure is more than 0.4 of the largest, without the edge of the contact."""
     places, forces, area = _shares(problem, step, all_u)
-    pressure, square = np.abs(forces[:, -1]) / area, (places[:, :-1] ** 2).sum(axis=1)
+    pressure = np.abs(forces[:, -1]) / area
     high = pressure > 0.4 * pressure.max()
-    table = np.column_stack([np.ones(high.sum()), square[high]])
+    table = np.column_stack([np.ones(high.sum()), places[high, :-1] ** 2])
     return float(np.sqrt(np.linalg.lstsq(table, pressure[high] ** 2, rcond=None)[0][0]))
 
 

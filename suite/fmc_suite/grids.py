@@ -83,11 +83,20 @@ def _ring(x: np.ndarray, raw: Mapping[str, Any]) -> np.ndarray:
 
 
 def _crown(x: np.ndarray, raw: Mapping[str, Any]) -> np.ndarray:
-    """The lowest side becomes a parabola with the curvature 1 / ``radius``; the opposite side stays."""
+    """The lowest side becomes a parabola with the curvature 1 / ``radius``, or one radius for every axis; the opposite side stays. With
+    ``flat`` it is flat to there, and with ``slope`` a wedge. With ``top`` the highest side becomes so, downwards."""
     up = x[:, -1]
     part = (up.max() - up) / np.ptp(up)
-    rise = (x[:, :-1] ** 2).sum(axis=1) / (2 * raw["radius"])
-    return np.column_stack([x[:, :-1], up + part * rise])
+    across = np.maximum(np.abs(x[:, :-1]) - raw.get("flat", 0.0), 0.0)
+    rise = (across**2 / (2 * np.array(raw.get("radius", np.inf))) + raw.get("slope", 0.0) * across).sum(axis=1)
+    moved = up - (1 - part) * rise if raw.get("top") else up + part * rise
+    return np.column_stack([x[:, :-1], moved])
+
+
+def _tilt(x: np.ndarray, raw: Mapping[str, Any]) -> np.ndarray:
+    """The plane at height 0 turns about ``about`` by the slopes ``by``; planes at the height -1 and 1 stay."""
+    rise = (x[:, :-1] - np.array(raw["about"])) @ np.array(raw["by"])
+    return np.column_stack([x[:, :-1], x[:, -1] + rise * (1 - np.abs(x[:, -1]))])
 
 
 def _skew(x: np.ndarray, raw: Mapping[str, Any]) -> np.ndarray:
@@ -105,4 +114,4 @@ def _corners(x: np.ndarray, raw: Mapping[str, Any]) -> np.ndarray:
     return np.asarray((1 - s) * (1 - t) * a + s * (1 - t) * b + s * t * c + (1 - s) * t * d)
 
 
-MAPS = {"ring": _ring, "crown": _crown, "skew": _skew, "corners": _corners}
+MAPS = {"ring": _ring, "crown": _crown, "skew": _skew, "tilt": _tilt, "corners": _corners}

@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from fmc_suite import figures
 from fmc_suite.problem import Problem, names
 from fmc_suite.references import columns, friction, indentation, rings
 from skfem import Basis, ElementQuad2, ElementTriP2, ElementVector, FacetBasis, LinearForm, MeshQuad, MeshTri, condense, solve
@@ -68,6 +69,77 @@ def test_the_ball_of_hertz_fits():
     rim = (peak * lengths**2 / a * along).sum() * np.pi / 4000 / (np.pi * modulus)
     centre = 2 * np.pi * peak * a * np.sqrt(1 - parts**2).mean() / (np.pi * modulus)
     assert centre - rim == pytest.approx(a**2 / (2 * radius), rel=1e-4)
+
+
+@pytest.mark.parametrize("radii", [(600.0, 300.0), (200.0, 900.0), (500.0, 500.0)])
+def test_crossed_cylinders_fit(radii):
+    """By Boussinesq, in polar coordinates about the centre and about the ends of both axes: the differences are a²/(2 R). No elliptic integral
+    is used: along a chord of length l through the pressure of an ellipse the integral is sqrt(q) π l²/8."""
+    force, modulus = 1.44, indentation.pair_modulus(YOUNG, POISSON)
+    axes, peak = indentation.ellipse(force, radii, YOUNG, POISSON), indentation.ellipse_peak(force, radii, YOUNG, POISSON)
+    angles = (np.arange(200_000) + 0.5) * np.pi / 200_000 - np.pi / 2
+    across = lambda a, b: np.cos(angles) ** 2 / a**2 + np.sin(angles) ** 2 / b**2
+    centre = peak * np.pi / 2 * (1 / np.sqrt(across(*axes))).mean() * np.pi / (np.pi * modulus)
+    for (a, b), radius in zip((axes, axes[::-1]), radii):
+        lengths = 2 * np.cos(angles) / (a * across(a, b))
+        end = peak * (np.sqrt(across(a, b)) * np.pi * lengths**2 / 8).mean() * np.pi / (np.pi * modulus)
+        assert centre - end == pytest.approx(a**2 / (2 * radius), rel=1e-8)
+    if radii[0] == radii[1]:
+        assert peak == pytest.approx(indentation.ball_peak(force, radii[0], YOUNG, POISSON), rel=1e-8)
+
+
+def test_a_wedge_and_a_rounded_punch_lie_flat():
+    """The slopes of the surfaces are those of the wedge, and those of the rounded punch; the pressures sum up to the forces."""
+    modulus, middles = indentation.pair_modulus(YOUNG, POISSON), (np.arange(1_000_000) + 0.5) / 1_000_000
+    a, slope = 1.0192, 2.5e-3
+    places, found = slopes(lambda s: modulus * slope / np.pi * np.arccosh(a / np.abs(s)), a, modulus)
+    # The sums cross a logarithm or a root of infinite slope, so that they are right to 1e-4 of the largest slope only.
+    assert np.abs(found + slope * np.sign(places)).max() < 1e-3 * slope
+    total = modulus * slope * a
+    pressure = modulus * slope / np.pi * np.arccosh(1 / (0.5 * middles))
+    assert indentation.wedge_mean(total, slope, 0.5 * a, YOUNG, POISSON) == pytest.approx(pressure.mean(), rel=1e-5)
+    assert indentation.wedge_mean(total, slope, a, YOUNG, POISSON) == pytest.approx(total / (2 * a), rel=1e-9)
+
+    a, flat, radius = 0.98, 0.8, 100.0
+    pressure = lambda s: indentation.rounded_punch_pressure(s, a, flat, radius, modulus)
+    places, found = slopes(pressure, a, modulus)
+    expected = -np.sign(places) * np.maximum(np.abs(places) - flat, 0) / radius
+    assert (expected != 0).sum() > 1 and np.abs(found - expected).max() < 1e-3 * (a - flat) / radius
+    total = indentation.rounded_punch_force(a, flat, radius, modulus)
+    assert pressure(middles * a).mean() * 2 * a == pytest.approx(total, rel=1e-5)
+    found = indentation.rounded_punch_mean(total, flat, radius, 0.999999 * a, YOUNG, POISSON)
+    assert found == pytest.approx(total / (2 * a), rel=1e-4)
+
+
+def test_a_belt_of_many_links():
+    """Rigid links in balance, each pressed on the drum in its middle, without and with the lever of half the thickness."""
+    friction_coefficient, links = 0.3, 20_000
+    turn, pull = np.pi / 2 / links, 1.0
+    for _ in range(links):
+        c, s = np.cos(turn / 2), friction_coefficient * np.sin(turn / 2)
+        pull *= (c + s) / (c - s)
+    assert friction.belt(1.0, friction_coefficient, 90.0, 1.0, 0.0) == pytest.approx(pull, rel=1e-8)
+    # The moment about the axis of the drum: the rise of the pull, at its lever, is the moment of the friction, with N = pull / R.
+    small, lever = 1e-4, 1.0 + 0.02 / 2
+    rise = friction.belt(1.0, friction_coefficient, small, 1.0, 0.02) - 1
+    assert rise * lever == pytest.approx(friction_coefficient * np.radians(small) * 1.0, rel=1e-4)
+
+
+@pytest.mark.parametrize("name", ["patch-2d-oblique", "patch-3d-oblique"])
+def test_equal_pressure_makes_bodies_smaller_alike(name):
+    """The displacement -e x has the stress of the figure, and leaves forces on the oblique plane only, along its normal."""
+    problem = Problem.load(name)
+    strain = 1e-3 if problem.dim == 3 else (1 + POISSON) * (1 - 2 * POISSON) / YOUNG
+    u = -strain * (problem.points - problem.points.min(axis=0))
+    assert figures.figure(problem, u[None]) < 1e-10
+    (lower, upper), slope = problem.pairs[0], problem.raw["bodies"][1]["maps"][-1]["by"]
+    for number, facets in enumerate((lower, upper)):
+        forces, nodes = figures.contact_forces(problem, u, 0, number), np.unique(facets) - problem.firsts[number]
+        assert np.abs(np.delete(forces, nodes, axis=0)).max() < 1e-10
+        free = nodes[~problem.fixed[problem.firsts[number] + nodes].any(axis=1)]
+        assert np.abs(forces[free, :-1] + forces[free, -1:] * np.array(slope)).max() < 1e-10
+        total = 2.5 if problem.dim == 3 else 1.0
+        assert forces[:, -1].sum() == pytest.approx(total if number else -total)
 
 
 def test_a_press_fit_by_differences():

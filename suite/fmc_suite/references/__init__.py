@@ -24,8 +24,12 @@ FORMS: Mapping[str, Callable[..., float]] = {
     "hertz_line": indentation.line_peak,
     "hertz_ball": indentation.ball_peak,
     "flat_punch": indentation.punch_mean,
+    "ellipse_peak": indentation.ellipse_peak,
+    "wedge": indentation.wedge_mean,
+    "rounded_punch": indentation.rounded_punch_mean,
     "coulomb": friction.coulomb,
     "slope": friction.slope,
+    "belt": friction.belt,
 }
 
 
