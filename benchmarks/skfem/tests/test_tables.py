@@ -15,6 +15,7 @@ TABLES = [
     ("rings.py", "pin", "depth.md"),
     ("rings.py", "coarse", "depth.md"),
     ("viscosity.py", "", "interfaces.md"),
+    ("tie_frequencies.py", "", "interfaces.md"),
 ]
 
 
