@@ -5,7 +5,6 @@ import subprocess
 import sys
 from pathlib import Path
 
-import numpy as np
 import pytest
 
 TABLES = Path(__file__).resolve().parents[2] / "tables"
@@ -32,11 +31,14 @@ def test_a_tie_is_cheaper_than_contact():
 
 
 def test_a_soft_tie_costs_few_iterations():
-    """Of multigrid, by those of one block: 1.12 with E / h and with equations, and more with a stiffer penalty."""
-    pytest.importorskip("petsc4py")
+    """Of multigrid, by those of one block: 1.12 with E / h and with equations, and more with a stiffer penalty, unless the tie is solved
+    directly."""
+    pytest.importorskip("dolfinx")
     run = subprocess.run([sys.executable, str(TABLES / "tie_krylov.py"), "8"], capture_output=True, text=True, timeout=300)
     assert run.returncode == 0, run.stderr
-    rows = {name: [float(one) for one in numbers.split(", ")] for name, numbers in re.findall(r"^(.*): ([\d., ]+)$", run.stdout, re.M)}
-    by_one = {name: np.array(found[2:]) for name, found in rows.items()}
-    assert (by_one["penalty 1 E/h"] <= 1.3).all() and (by_one["equations"] <= 1.3).all(), run.stdout
-    assert by_one["penalty 100 E/h"][0] > by_one["penalty 1 E/h"][0]
+    found = {name: [float(one) for one in numbers.split(", ")] for name, numbers in re.findall(r"^(.*): ([\d., ]+)$", run.stdout, re.M)}
+    for name in ("penalty 1 E/h", "equations"):
+        assert found[name][1] <= 1.3 and found[name][3] <= 1.3, run.stdout
+    stiff = found["penalty 165 E/h"]
+    # 54 and 13 iterations, where one block has 8.
+    assert stiff[1] > 2 and stiff[4] <= 2 * found["one block"][0], run.stdout
