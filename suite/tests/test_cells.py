@@ -11,8 +11,19 @@ from fmc_suite.problem import Problem
 from skfem import Basis, ElementQuad1, ElementVector, MeshQuad
 from skfem.models.elasticity import lame_parameters, linear_elasticity
 
-LIMITS = {"patch-2d": 1e-3, "patch-3d": 1e-3, "touching": 1e-4, "gap": 1e-4, "stack": 1e-3, "unload": 1e-3, "tied-patch": 1e-9, "slide": 1e-3}
-"""Largest errors: some times what was found, 2e-5 to 8e-5, which the penetration tolerance leaves."""
+LIMITS = {
+    "patch-2d": 1e-3,
+    "patch-3d": 1e-3,
+    "patch-2d-oblique": 1e-3,
+    "patch-3d-oblique": 1e-3,
+    "touching": 1e-4,
+    "gap": 1e-4,
+    "stack": 1e-3,
+    "unload": 1e-3,
+    "tied-patch": 1e-9,
+    "slide": 1e-3,
+}
+"""Largest errors: some times what was found, 2e-5 to 3e-4, which the penetration tolerance leaves."""
 
 
 @pytest.mark.parametrize("name", LIMITS)
