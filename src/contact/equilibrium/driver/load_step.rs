@@ -69,6 +69,10 @@ pub(super) async fn load_step<const D: usize>(asking: Asking<D>, step: LoadStep<
 /// What may lead on, where it is known.
 async fn with_advice<const D: usize>(search: &Search<D>, trouble: Trouble) -> Trouble {
     let has_law = search.host.contact(|contact| !contact.governed.is_empty()).await;
+    let trouble = match trouble {
+        Trouble::Adrift(..) if search.has_friction => trouble.and("its load may be more than friction holds"),
+        trouble => trouble,
+    };
     match trouble {
         Trouble::Failed(_) if has_law => trouble.and("an interface follows a law of the host: check its tangent first"),
         Trouble::Failed(_) | Trouble::Adrift(..) if !search.may_go_on() => {
