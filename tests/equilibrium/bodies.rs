@@ -102,6 +102,7 @@ impl Host {
         Unknowns {
             count,
             of_coordinate: (0..count).map(Some).collect(),
+            weighted: std::collections::BTreeMap::new(),
             base: self.coords.clone(),
             free: self.free.clone(),
         }

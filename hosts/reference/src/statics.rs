@@ -15,7 +15,7 @@
 //! whatever the stiffness. [`FixedPoint`] is the loop of Wang, Xu and Xue (Algorithm 2), to compare. [`Linearised`] contact is a part
 //! of the bodies to the search.
 //!
-//! [`Rigid`] bodies are nodes that supports carry along, and degrees of freedom that are joined.
+//! [`Rigid`] bodies are nodes that supports carry along, and degrees of freedom that are joined or follow others.
 //!
 //! A load step is a step of friction, committed where the path accepts it; a step that is halved leaves nothing behind.
 //!
@@ -46,6 +46,7 @@ mod report;
 mod rigid;
 mod search;
 mod turn;
+mod unknowns;
 mod untouched;
 
 pub use balance::Balance;
@@ -58,4 +59,4 @@ pub use newton_settings::{FrictionPressure, NewtonSettings};
 pub use path::Path;
 pub use pressure::{NodalPressure, nodal_pressures, nodal_tractions};
 pub use problem::Problem;
-pub use rigid::{Carried, Rigid, RigidMotion};
+pub use rigid::{Carried, Follower, Rigid, RigidMotion};

@@ -89,6 +89,7 @@ impl fmc_equilibrium_problem {
             let (base, _) = slice("base", self.base, rows, D)?.as_chunks::<D>();
             let unknowns = Unknowns {
                 count,
+                weighted: std::collections::BTreeMap::new(),
                 of_coordinate: numbers.iter().map(|&n| usize::try_from(n - i64::from(index_base)).ok()).collect(),
                 base: base.to_vec(),
                 free: slice("free", self.free, count, 1)?.iter().map(|&mark| mark != 0).collect(),

@@ -20,7 +20,7 @@
 //! - `standing`: whether bodies that only contact holds stand;
 //! - `breaking`, `told_breaking`: cohesive interfaces that break on the way, for what is said where there is no equilibrium.
 //!
-//! `load_step`, `attempt`, `search` (the order of things, and what they share) · `check` (whether a host is one) · `conversation` (a procedure that asks) · `request`, `host`, `unknowns`
+//! `load_step`, `attempt`, `search` (the order of things, and what they share) · `check` (whether a host is one) · `compatible` (rigid motions where coordinates follow) · `conversation` (a procedure that asks) · `request`, `host`, `unknowns`
 //! (what of, and whom) · `state`, `balance` (bodies and contact, and when they balance) · `assembly`, `elastic`, `projected`, `joined` (nodes that a host joins), `rows`, `limit` (where bodies
 //! are, and how far they may go) · `quadratic` · `options`, `trouble`, `outcome` · `masses` (layers for explicit hosts)
 
@@ -30,6 +30,7 @@ mod attempt;
 mod balance;
 mod breaking;
 mod check;
+mod compatible;
 mod conversation;
 mod downhill;
 mod elastic;

@@ -106,10 +106,8 @@ impl<const D: usize> Equilibrium<D> {
         let equations = &self.matrices.equations;
         if equations.has_joined() {
             let bodies = self.problem.model.tangent(&self.by_unknowns(&self.linearised_at));
-            let led = |(row, column, value): (usize, usize, f64)| {
-                (equations.leader(row), equations.leader(column), value.abs())
-            };
-            return Lower::new(bodies.size, bodies.iter().map(led));
+            let by_unknowns = equations.by_unknowns(bodies.iter());
+            return Lower::new(bodies.size, by_unknowns.map(|(row, column, value)| (row, column, value.abs())));
         }
         let elastic = self.elastic();
         Lower::new(elastic.size(), elastic.entries().map(|(row, column, value)| (row, column, value.abs())))
@@ -129,7 +127,8 @@ impl<const D: usize> Equilibrium<D> {
         }
         let elastic = self.elastic();
         let tangent = self.contact.tangent(&self.placed(&self.by_unknowns(x)), part)?;
-        let mut touching: Entries = self.matrices.equations.entries(tangent.triplets()).collect();
+        let equations = &self.matrices.equations;
+        let mut touching: Entries = equations.entries(equations.by_unknowns(tangent.triplets())).collect();
         if shift != 0.0 && self.matrices.equations.has_joined() {
             // A rigid body has nothing on the diagonal of which a part could be taken.
             let equations = &self.matrices.equations;

@@ -77,8 +77,10 @@ impl<const D: usize> Equilibrium<D> {
     /// Keeps the equations on which contact acts at a place; whether any of them is new.
     fn keep_touching(&mut self, x: &[f64]) -> Result<bool, Error> {
         let tangent = self.contact.tangent(&self.placed(&self.by_unknowns(x)), TangentPart::Semidefinite)?;
-        let equations = self.matrices.equations.entries(tangent.triplets()).map(|(row, ..)| row);
-        Ok(self.matrices.condensed.keep(equations.collect::<Vec<_>>()))
+        let equations = &self.matrices.equations;
+        let touched = equations.entries(equations.by_unknowns(tangent.triplets())).map(|(row, ..)| row);
+        let touched: Vec<usize> = touched.collect();
+        Ok(self.matrices.condensed.keep(touched))
     }
 
     /// Keeps what may come to touch when what is prescribed moves: nodes that are nearer to a partner than anything moves, the nearest first.

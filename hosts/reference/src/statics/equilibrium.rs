@@ -225,8 +225,8 @@ impl<const D: usize> Equilibrium<D> {
         if before != now {
             return Err(StaticsError::Length { expected: before.len(), found: now.len() });
         }
-        let (load, joined) = (self.problem.load.clone(), self.problem.rigid.joined.clone());
-        self.next_step(supports, load, Rigid { joined, carried: Vec::new() })
+        let rigid = Rigid { carried: Vec::new(), ..self.problem.rigid.clone() };
+        self.next_step(supports, self.problem.load.clone(), rigid)
     }
 
     /// Starts a stage that leads on from the last equilibrium, at load 0 of its own, to other supports, other dead loads and other
@@ -250,7 +250,7 @@ impl<const D: usize> Equilibrium<D> {
             reached[node][axis] += self.balance.residual[node][axis];
         }
         let held = |supports: &Constraints<D>| supports.iter().map(|(node, axis, _)| (node, axis)).collect::<Vec<_>>();
-        let is_other = held(&self.problem.supports) != held(&supports) || self.problem.rigid.joined != rigid.joined;
+        let is_other = held(&self.problem.supports) != held(&supports) || !self.problem.rigid.joins_as(&rigid);
         (self.problem.supports, self.problem.load, self.problem.rigid) = (supports, load, rigid);
         if is_other {
             self.matrices = matrices(&self.problem);
@@ -283,6 +283,11 @@ impl<const D: usize> Equilibrium<D> {
         }
         for carried in &self.problem.rigid.carried {
             carried.place(self.problem.model.coords(), load, displacement);
+        }
+        for follower in &self.problem.rigid.followers {
+            let from = follower.apart_at(&self.from.0);
+            let apart = from + load * (follower.apart.unwrap_or(from) - from);
+            displacement[follower.freedom / D][follower.freedom % D] = apart + follower.followed(displacement);
         }
     }
 
@@ -330,37 +335,14 @@ impl<const D: usize> Equilibrium<D> {
 fn matrices<const D: usize>(problem: &Problem<D>) -> Matrices {
     let model = &problem.model;
     let held = problem.supports.iter().map(|(node, axis, _)| node * D + axis);
-    let equations = Equations::new(model.node_count() * D, held, &problem.rigid.joined);
+    let rigid = &problem.rigid;
+    let equations = Equations::new(model.node_count() * D, held, &rigid.joined, &rigid.followers);
     let place = |equation: usize| {
         let x = model.coords()[equations.freedom(equation) / D];
         std::array::from_fn(|i| if i < D { x[i] } else { 0.0 })
     };
     let places: Vec<[f64; 3]> = (0..equations.count()).map(place).collect();
     Matrices::new(equations, places)
-}
-
-impl<const D: usize> Equilibrium<D> {
-    /// Displacements of nodes by unknowns: those that are joined keep the distance at which the stage began.
-    pub(super) fn by_unknowns(&self, x: &[f64]) -> Vec<[f64; D]> {
-        let mut all: Vec<[f64; D]> = by_nodes(x);
-        let equations = &self.matrices.equations;
-        if equations.has_joined() {
-            let of = |freedom: usize| x[equations.leader(freedom)] + self.apart(freedom);
-            all.as_flattened_mut().iter_mut().enumerate().for_each(|(freedom, u)| *u = of(freedom));
-        }
-        all
-    }
-
-    /// How far a degree of freedom was from the one that stands for it when the stage began.
-    pub(super) fn apart(&self, freedom: usize) -> f64 {
-        let (leader, at) = (self.matrices.equations.leader(freedom), self.from.0.as_flattened());
-        if leader == freedom { 0.0 } else { at[freedom] - at[leader] }
-    }
-}
-
-/// A vector of all degrees of freedom, by nodes.
-pub(super) fn by_nodes<const D: usize>(vector: &[f64]) -> Vec<[f64; D]> {
-    vector.as_chunks::<D>().0.to_vec()
 }
 
 /// Shortest edge of a facet: where meshes are graded, those in contact are the smallest.

@@ -1,4 +1,4 @@
-//! The bodies' matrix where degrees of freedom are joined.
+//! The bodies' matrix where degrees of freedom are joined or follow others.
 
 use super::equations::Equations;
 use std::collections::BTreeMap;
@@ -12,11 +12,10 @@ pub(super) fn led(
     entries: impl Iterator<Item = (usize, usize, f64)>,
 ) -> Vec<(usize, usize, f64)> {
     let (mut own, mut sums) = (Vec::new(), BTreeMap::<(usize, usize), [f64; 2]>::new());
-    for (row, column, value) in entries {
-        let place = (equations.leader(row), equations.leader(column));
-        match equations.leads(place.0) || equations.leads(place.1) {
+    for (row, column, value) in equations.by_unknowns(entries) {
+        match equations.leads(row) || equations.leads(column) {
             true => {
-                let [sum, size] = sums.entry(place).or_default();
+                let [sum, size] = sums.entry((row, column)).or_default();
                 (*sum, *size) = (*sum + value, *size + value.abs());
             }
             false => own.push((row, column, value)),
@@ -33,6 +32,8 @@ pub(super) fn led(
 pub(super) fn own_diagonal(equations: &Equations, entries: impl Iterator<Item = (usize, usize, f64)>) -> Vec<f64> {
     let mut diagonal = vec![0.0; equations.free().len()];
     let on_it = entries.filter(|(row, column, _)| row == column);
-    on_it.for_each(|(row, _, value)| diagonal[equations.leader(row)] += value);
+    for (row, _, value) in on_it {
+        equations.terms(row).for_each(|(unknown, weight)| diagonal[unknown] += weight * weight * value);
+    }
     diagonal
 }

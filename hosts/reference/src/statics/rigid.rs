@@ -2,19 +2,46 @@
 
 use super::error::StaticsError;
 use crate::fem::Constraints;
+use std::collections::BTreeSet;
 
 /// What moves rigidly, beside what supports hold.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Rigid<const D: usize> {
     /// Degrees of freedom, `node * D + axis`, that move by the same way, whatever it is: each list ascending. No list shares one with another or with a support.
     pub joined: Vec<Vec<usize>>,
+    /// Degrees of freedom that follow others, each of its own; none is joined or held.
+    pub followers: Vec<Follower>,
     /// Nodes that turn about a centre.
     pub carried: Vec<Carried<D>>,
 }
 
+/// A degree of freedom that others move: u = Σ w u_j + c. What it bears these bear, each by its weight.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Follower {
+    /// The degree of freedom, `node * D + axis`.
+    pub freedom: usize,
+    /// What it follows, each with its weight; none of these follows others.
+    pub of: Vec<(usize, f64)>,
+    /// c at the end of a stage; `None` where it stays as it was when the stage began.
+    pub apart: Option<f64>,
+}
+
+impl Follower {
+    /// Σ w u_j.
+    pub(super) fn followed<const D: usize>(&self, displacement: &[[f64; D]]) -> f64 {
+        let all = displacement.as_flattened();
+        self.of.iter().map(|&(freedom, weight)| weight * all[freedom]).sum()
+    }
+
+    /// c at a displacement.
+    pub(super) fn apart_at<const D: usize>(&self, displacement: &[[f64; D]]) -> f64 {
+        displacement.as_flattened()[self.freedom] - self.followed(displacement)
+    }
+}
+
 impl<const D: usize> Default for Rigid<D> {
     fn default() -> Self {
-        Self { joined: Vec::new(), carried: Vec::new() }
+        Self { joined: Vec::new(), followers: Vec::new(), carried: Vec::new() }
     }
 }
 
@@ -78,6 +105,14 @@ impl<const D: usize> Carried<D> {
 }
 
 impl<const D: usize> Rigid<D> {
+    /// Whether the same degrees of freedom are joined and follow, by the same weights.
+    pub(super) fn joins_as(&self, other: &Self) -> bool {
+        let follows = |(a, b): (&Follower, &Follower)| a.freedom == b.freedom && a.of == b.of;
+        self.joined == other.joined
+            && self.followers.len() == other.followers.len()
+            && self.followers.iter().zip(&other.followers).all(follows)
+    }
+
     /// # Errors
     /// [`StaticsError::Joined`].
     pub(super) fn check(&self, node_count: usize, supports: &Constraints<D>) -> Result<(), StaticsError> {
@@ -90,6 +125,18 @@ impl<const D: usize> Rigid<D> {
                 if !is_new || last.replace(freedom).is_some_and(|last| last >= freedom) {
                     return Err(StaticsError::Joined { node: freedom / D, axis: freedom % D });
                 }
+            }
+        }
+        for follower in &self.followers {
+            let freedom = follower.freedom;
+            if is_taken.get_mut(freedom).is_none_or(|taken| std::mem::replace(taken, true)) {
+                return Err(StaticsError::Joined { node: freedom / D, axis: freedom % D });
+            }
+        }
+        let follows: BTreeSet<usize> = self.followers.iter().map(|follower| follower.freedom).collect();
+        for &(freedom, weight) in self.followers.iter().flat_map(|follower| &follower.of) {
+            if follows.contains(&freedom) || freedom >= is_taken.len() || !weight.is_finite() {
+                return Err(StaticsError::Joined { node: freedom / D, axis: freedom % D });
             }
         }
         for carried in &self.carried {

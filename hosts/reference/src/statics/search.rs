@@ -39,7 +39,7 @@ impl<const D: usize> Equilibrium<D> {
         }
         let mut target = start.to_vec();
         self.prescribe(&mut target, load);
-        let (start, target) = (start.as_flattened().to_vec(), target.into_flattened());
+        let (start, target) = (self.unknowns_at(start), self.unknowns_at(&target));
         let before = self.contact.multipliers();
         let options = self.options(finds_patches);
         let mut search = Search::new(&self.contact, self.unknowns(), &start, Some(&target), options)?;
@@ -87,7 +87,7 @@ impl<const D: usize> Equilibrium<D> {
         let mut base = self.problem.model.coords().to_vec();
         base.as_flattened_mut().iter_mut().enumerate().for_each(|(freedom, x)| *x += self.apart(freedom));
         let of_coordinate = (0..count).map(|freedom| Some(equations.leader(freedom))).collect();
-        Unknowns { count, of_coordinate, base, free: equations.free() }
+        Unknowns { count, of_coordinate, weighted: equations.followed().clone(), base, free: equations.free() }
     }
 
     /// Reports a step that is asked for.

@@ -4,7 +4,7 @@ use crate::scene::{exact, part};
 use fmc_contact::{CellType, EnergyLaw};
 use fmc_shapes::rectangle_quad4;
 use fmc_solid::fem::{Constraints, Model};
-use fmc_solid::statics::{Carried, Equilibrium, Path, Problem, Rigid, RigidMotion, StaticsError};
+use fmc_solid::statics::{Carried, Equilibrium, Follower, Path, Problem, Rigid, RigidMotion, StaticsError};
 use std::ops::ControlFlow;
 
 /// Two squares side by side, far from one another.
@@ -93,4 +93,67 @@ fn joins_that_overlap_are_refused() {
     assert_eq!(refused(vec![vec![4, 3]], 9), Some(StaticsError::Joined { node: 1, axis: 1 }));
     assert_eq!(refused(vec![vec![2, 640]], 9), Some(StaticsError::Joined { node: 320, axis: 0 }));
     assert_eq!(refused(vec![vec![2, 4], vec![7, 9]], 9), None);
+}
+
+/// An edge that follows one of its nodes by a weight of 1 is the edge that is joined; and with a weight and a constant forces have the weights of the
+/// motions: virtual work. The residual of the search is 1e-9 of the forces.
+#[test]
+fn followers_move_by_their_weights_and_hand_on_what_they_bear() {
+    let solved_with = |rigid: fn(&[usize]) -> Rigid<2>, pressed: bool| {
+        let model = squares();
+        let top = model.nodes_where(0, |x| x[1] == 1.0);
+        let mut supports = Constraints::default();
+        supports.fix(model.nodes_where(1, |x| x[1] == 0.0));
+        supports.prescribe(model.nodes_where(0, |x| x[1] == 0.0), 1, 0.0);
+        supports.prescribe(model.nodes_of(0), 0, 0.0);
+        let mut load = vec![[0.0; 2]; model.node_count()];
+        load[top[2]][1] = if pressed { -7.0 } else { 0.0 };
+        let rigid = rigid(&top.iter().map(|node| node * 2 + 1).collect::<Vec<_>>());
+        let at = solved(
+            Problem { supports, load, rigid, ..Problem::new(model, exact(EnergyLaw::depth(1e4))) },
+            3,
+            &mut |_| (),
+        );
+        let all: Vec<[f64; 2]> =
+            top.iter().map(|&node| [at.displacement()[node][1], at.balance().residual[node][1]]).collect();
+        all
+    };
+    let joined = solved_with(|edge| Rigid { joined: vec![edge.to_vec()], ..Rigid::default() }, true);
+    let followed = solved_with(
+        |edge| {
+            let of = |&freedom: &usize| Follower { freedom, of: vec![(edge[0], 1.0)], apart: None };
+            Rigid { followers: edge[1..].iter().map(of).collect(), ..Rigid::default() }
+        },
+        true,
+    );
+    for (a, b) in joined.iter().zip(&followed) {
+        assert!((a[0] - b[0]).abs() < 1e-8 * a[0].abs() && (a[1] - b[1]).abs() < 1e-7, "{a:?} {b:?}");
+    }
+    let levered = solved_with(
+        |edge| {
+            let of = |&freedom: &usize| Follower { freedom, of: vec![(edge[0], -0.5)], apart: Some(0.01) };
+            Rigid { followers: edge[1..].iter().map(of).collect(), ..Rigid::default() }
+        },
+        false,
+    );
+    let work: f64 = levered[0][1] - 0.5 * levered[1..].iter().map(|of| of[1]).sum::<f64>();
+    assert!(work.abs() < 1e-8 && levered[0][1].abs() > 1e-3, "{levered:?}");
+    assert!(levered[1..].iter().all(|of| (of[0] + 0.5 * levered[0][0] - 0.01).abs() < 1e-15), "{levered:?}");
+}
+
+#[test]
+fn followers_that_are_held_or_followed_are_refused() {
+    let refused = |followers: Vec<Follower>| {
+        let model = squares();
+        let mut supports = Constraints::default();
+        supports.fix([9]);
+        let rigid = Rigid { followers, ..Rigid::default() };
+        Equilibrium::new(Problem { supports, rigid, ..Problem::new(model, exact(EnergyLaw::depth(1e4))) }).err()
+    };
+    let one = |freedom: usize, of: usize| Follower { freedom, of: vec![(of, 1.0)], apart: None };
+    assert_eq!(refused(vec![one(18, 2)]), Some(StaticsError::Joined { node: 9, axis: 0 }));
+    assert_eq!(refused(vec![one(2, 4), one(2, 6)]), Some(StaticsError::Joined { node: 1, axis: 0 }));
+    assert_eq!(refused(vec![one(2, 4), one(4, 6)]), Some(StaticsError::Joined { node: 2, axis: 0 }));
+    assert_eq!(refused(vec![one(2, 640)]), Some(StaticsError::Joined { node: 320, axis: 0 }));
+    assert_eq!(refused(vec![one(2, 4), one(6, 18)]), None);
 }

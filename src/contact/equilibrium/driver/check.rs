@@ -154,6 +154,7 @@ async fn rigid<const D: usize>(host: &Host<D>, assembly: &Assembly<D>) -> Result
                 field[*unknown] = motion(assembly.position[place / D])[place % D];
             }
         }
+        host.unknowns.subtract_weighted(&mut field);
         field
     };
     let mut motions: Vec<(String, Vec<f64>)> = Vec::new();

@@ -118,6 +118,7 @@ impl<const D: usize> Layers<'_, D> {
         if area <= 0.0 {
             return Ok(0.0);
         }
+        self.host.unknowns.subtract_weighted(&mut v);
         let product = self.host.product(v.clone(), false).await?;
         Ok(dot(&v, &product) / area)
     }

@@ -1,6 +1,7 @@
 //! Rigid motions of bodies that the host's matrix does not hold, or hardly.
 
 use super::assembly::Assembly;
+use super::compatible::compatible;
 use super::host::Host;
 use super::joined::own_diagonal;
 use super::trouble::Trouble;
@@ -246,15 +247,24 @@ fn of_body<const D: usize>(host: &Host<D>, assembly: &Assembly<D>, body: usize) 
         if is_made { host.unknowns.freed(field) } else { vec![0.0; host.unknowns.count] }
     };
     let unit = |axis: usize| Vector::from_fn(|row, _| if row == axis { 1.0 } else { 0.0 });
-    let mut fields: Vec<_> = (0..D).map(|axis| field(&|_| unit(axis))).collect();
     let planes: &[[usize; 2]] = if D == 2 { &[[0, 1]] } else { &[[1, 2], [2, 0], [0, 1]] };
-    for &[i, j] in planes {
-        fields.push(field(&|row| {
-            let mut turned = Vector::zeros();
-            (turned[i], turned[j]) = (-arm(row)[j] / reach, arm(row)[i] / reach);
-            turned
-        }));
+    let turned = |&[i, j]: &[usize; 2], row: usize| {
+        let mut turned = Vector::zeros();
+        (turned[i], turned[j]) = (-arm(row)[j] / reach, arm(row)[i] / reach);
+        turned
+    };
+    if !host.unknowns.weighted.is_empty() {
+        let all = |motion: &dyn Fn(usize) -> Vector<D>| -> Vec<[f64; D]> {
+            let mut all = vec![[0.0; D]; host.unknowns.base.len()];
+            rows.iter().for_each(|&row| all[row] = motion(row).into());
+            all
+        };
+        let translations = (0..D).map(|axis| all(&|_| unit(axis)));
+        let motions: Vec<_> = translations.chain(planes.iter().map(|plane| all(&|row| turned(plane, row)))).collect();
+        return compatible(&host.unknowns, rows, &motions);
     }
+    let mut fields: Vec<_> = (0..D).map(|axis| field(&|_| unit(axis))).collect();
+    fields.extend(planes.iter().map(|plane| field(&|row| turned(plane, row))));
     fields
 }
 

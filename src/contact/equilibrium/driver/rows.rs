@@ -54,8 +54,8 @@ impl Rows {
             for (&column, slope) in gaps.columns[range.clone()].iter().zip(&gaps.slopes[range.clone()]) {
                 let value = of(&Vector::from(*slope)) / area;
                 for axis in 0..D {
-                    if let Some(unknown) = host.unknowns.of_coordinate[column as usize * D + axis] {
-                        *sums.entry(unknown).or_insert(0.0) += value[axis];
+                    for (unknown, weight) in host.unknowns.of(column as usize * D + axis) {
+                        *sums.entry(unknown).or_insert(0.0) += weight * value[axis];
                     }
                 }
             }

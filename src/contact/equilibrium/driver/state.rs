@@ -108,6 +108,12 @@ impl<const D: usize> State<D> {
                 touched[unknown] = pressed[place / D] * assembly.area[place / D].abs() * farthest;
             }
         }
+        for (&place, weights) in &host.unknowns.weighted {
+            let here = pressed[place / D] * assembly.area[place / D].abs() * farthest;
+            for &(unknown, weight) in weights.iter().filter(|(unknown, _)| self.forces[*unknown] != 0.0) {
+                touched[unknown] = touched[unknown].max(weight.abs() * here);
+            }
+        }
         let own = host.product(self.x.iter().map(|x| x.abs()).collect(), true).await?;
         let all = host.product(vec![farthest; host.unknowns.count], true).await?;
         let sum = |bodies: &[f64]| -> Vec<f64> {

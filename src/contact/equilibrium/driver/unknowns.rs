@@ -1,6 +1,7 @@
 //! Which unknown of a host moves which coordinate of the contact.
 
 use crate::Error;
+use std::collections::BTreeMap;
 
 /// The unknowns of a host, in the contact's eyes: x = base + the unknown, coordinate by coordinate.
 #[derive(Clone, Debug, PartialEq)]
@@ -9,6 +10,9 @@ pub struct Unknowns<const D: usize> {
     pub count: usize,
     /// Unknown of every coordinate of the contact, `row * D + axis`; `None` for one that never moves.
     pub of_coordinate: Vec<Option<usize>>,
+    /// Further unknowns of coordinates that follow several, by the same numbers: each with its weight, by which it moves the coordinate, too. Linear
+    /// constraints that a host eliminates are such: the unknown of the coordinate itself is then the constant of the constraint, and not free.
+    pub weighted: BTreeMap<usize, Vec<(usize, f64)>>,
     /// Coordinates of the contact where all unknowns are zero.
     pub base: Vec<[f64; D]>,
     /// Whether an unknown is solved for, by unknown.
@@ -34,16 +38,40 @@ impl<const D: usize> Unknowns<D> {
                 return Err(Error::UnknownOutOfRange { row: place / D, unknown: unknown as i64, count: self.count });
             }
         }
+        for (&place, weights) in &self.weighted {
+            if place >= row_count * D {
+                return Err(Error::Length { array: "weighted", expected: row_count * D, found: place + 1 });
+            }
+            for &(unknown, weight) in weights {
+                if unknown >= self.count {
+                    return Err(Error::UnknownOutOfRange {
+                        row: place / D,
+                        unknown: unknown as i64,
+                        count: self.count,
+                    });
+                }
+                if !weight.is_finite() {
+                    return Err(Error::NonFiniteCoordinate { node: place / D, axis: place % D });
+                }
+            }
+        }
         match self.base.as_flattened().iter().position(|x| !x.is_finite()) {
             Some(place) => Err(Error::NonFiniteCoordinate { node: place / D, axis: place % D }),
             None => Ok(()),
         }
     }
 
+    /// Unknowns that move a coordinate, each with its weight.
+    pub(super) fn of(&self, place: usize) -> impl Iterator<Item = (usize, f64)> + '_ {
+        let own = self.of_coordinate[place].map(|unknown| (unknown, 1.0));
+        own.into_iter().chain(self.weighted.get(&place).into_iter().flatten().copied())
+    }
+
     /// Whether an unknown moves several coordinates.
     pub(super) fn are_shared(&self) -> bool {
         let mut is_taken = vec![false; self.count];
-        self.of_coordinate.iter().flatten().any(|&unknown| std::mem::replace(&mut is_taken[unknown], true))
+        !self.weighted.is_empty()
+            || self.of_coordinate.iter().flatten().any(|&unknown| std::mem::replace(&mut is_taken[unknown], true))
     }
 
     /// Coordinates of the contact.
@@ -52,6 +80,7 @@ impl<const D: usize> Unknowns<D> {
         for (coordinate, unknown) in coords.as_flattened_mut().iter_mut().zip(&self.of_coordinate) {
             *coordinate += unknown.map_or(0.0, |unknown| x[unknown]);
         }
+        self.add_weighted(x, coords.as_flattened_mut());
         coords
     }
 
@@ -61,7 +90,27 @@ impl<const D: usize> Unknowns<D> {
         for (entry, unknown) in motion.as_flattened_mut().iter_mut().zip(&self.of_coordinate) {
             *entry = unknown.map_or(0.0, |unknown| step[unknown]);
         }
+        self.add_weighted(step, motion.as_flattened_mut());
         motion
+    }
+
+    /// What coordinates move by their further unknowns.
+    fn add_weighted(&self, x: &[f64], coordinates: &mut [f64]) {
+        for (&place, weights) in &self.weighted {
+            coordinates[place] += weights.iter().map(|&(unknown, weight)| weight * x[unknown]).sum::<f64>();
+        }
+    }
+
+    /// From unknowns that have the motion of their own coordinates, what the further ones of these move.
+    pub(super) fn subtract_weighted(&self, x: &mut [f64]) {
+        let moved = |(&place, weights): (&usize, &Vec<(usize, f64)>)| {
+            Some((
+                self.of_coordinate[place]?,
+                weights.iter().map(|&(unknown, weight)| weight * x[unknown]).sum::<f64>(),
+            ))
+        };
+        let all: Vec<(usize, f64)> = self.weighted.iter().filter_map(moved).collect();
+        all.into_iter().for_each(|(unknown, motion)| x[unknown] -= motion);
     }
 
     /// Displacements of the coordinates as those of the unknowns.
@@ -72,6 +121,7 @@ impl<const D: usize> Unknowns<D> {
                 all[*unknown] = *entry;
             }
         }
+        self.subtract_weighted(&mut all);
         all
     }
 
@@ -82,6 +132,10 @@ impl<const D: usize> Unknowns<D> {
             if let Some(unknown) = unknown {
                 all[*unknown] += entry;
             }
+        }
+        for (&place, weights) in &self.weighted {
+            let entry = rows[place / D][place % D];
+            weights.iter().for_each(|&(unknown, weight)| all[unknown] += weight * entry);
         }
         all
     }
