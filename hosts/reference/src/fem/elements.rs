@@ -21,6 +21,8 @@ pub(super) struct Elements<const D: usize> {
     pub(super) gradients: Vec<[f64; D]>,
     /// Volume that each Gauss point stands for, `[cell_count, point_count]`.
     pub(super) volumes: Vec<f64>,
+    /// N_a / r, as `gradients`, of bodies of revolution; empty of others.
+    pub(super) hoops: Vec<f64>,
     /// ∫ N_a dV, `[cell_count, node_count]`.
     pub(super) shares: Vec<f64>,
     /// Volume whose mass is lumped at each node, `[cell_count, node_count]`.
@@ -35,20 +37,27 @@ pub(super) struct Cell<'a, const D: usize, const N: usize> {
     pub(super) nodes: &'a [u32; N],
     /// ∇N_a at each Gauss point.
     pub(super) gradients: &'a [[[f64; D]; N]],
+    /// N_a / r at each Gauss point; none in the plane.
+    pub(super) hoops: &'a [[f64; N]],
     /// Volume of each Gauss point.
     pub(super) volumes: &'a [f64],
 }
 
 impl<const D: usize> Elements<D> {
-    /// Elements of a part whose first node is `first_node` of the model, one for each type of its cells: those of its mesh, then `more`.
-    pub(super) fn of_part(part: &Part<D>, more: &[&Cells], first_node: usize) -> Result<Vec<Self>, Error> {
+    /// Elements of a part whose first node is `first_node` of the model, one for each type of its cells: those of its mesh, then `more`;
+    /// of revolution about r = 0 with `is_ring`.
+    pub(super) fn of_part(
+        part: &Part<D>,
+        more: &[&Cells],
+        (first_node, is_ring): (usize, bool),
+    ) -> Result<Vec<Self>, Error> {
         let own = (part.cell_type, part.mesh.conn.as_slice());
         let blocks: Vec<(CellType, &[u32])> =
             std::iter::once(own).chain(more.iter().map(|cells| (cells.cell_type, cells.conn.as_slice()))).collect();
         check(part, &blocks)?;
         let mut first_cell = 0;
         let new = |block: (CellType, &[u32])| {
-            let elements = Self::new(part, block, (first_cell, first_node))?;
+            let elements = Self::new(part, block, (first_cell, first_node), is_ring)?;
             first_cell += elements.len();
             Ok(elements)
         };
@@ -59,10 +68,11 @@ impl<const D: usize> Elements<D> {
         part: &Part<D>,
         (cell_type, conn): (CellType, &[u32]),
         (first_cell, first_node): (usize, usize),
+        is_ring: bool,
     ) -> Result<Self, Error> {
         let points = gauss_points(cell_type);
         let coords = &part.mesh.coords;
-        let (mut gradients, mut volumes) = (Vec::new(), Vec::new());
+        let (mut gradients, mut volumes, mut hoops) = (Vec::new(), Vec::new(), Vec::new());
         let (mut shares, mut lumps) = (Vec::new(), Vec::new());
         for (cell, nodes) in (first_cell..).zip(conn.chunks_exact(cell_type.node_count())) {
             let mut share = vec![0.0; nodes.len()];
@@ -73,8 +83,14 @@ impl<const D: usize> Elements<D> {
                     nodes.iter().zip(&point.derivative).map(|(&node, d)| coords[node as usize][i] * d[j]).sum()
                 });
                 let (determinant, inverse) = inverse_transposed(&jacobian);
-                let volume = point.weight * determinant;
-                if volume.is_nan() || volume <= 0.0 {
+                let radius: f64 = nodes.iter().zip(&point.shape).map(|(&node, n)| n * coords[node as usize][0]).sum();
+                let around = if is_ring { circumference(radius) } else { 1.0 };
+                let volume = point.weight * determinant * around;
+                if is_ring {
+                    hoops.extend(point.shape.iter().map(|n| n / radius));
+                }
+                // Cells across the axis have none either.
+                if determinant <= 0.0 || around <= 0.0 || volume.is_nan() || volume <= 0.0 {
                     return Err(Error::InvertedCell { part: part.name.clone(), cell });
                 }
                 gradients.extend(point.derivative.iter().map(|derivative| -> [f64; D] {
@@ -97,11 +113,17 @@ impl<const D: usize> Elements<D> {
             conn,
             gradients,
             volumes,
+            hoops,
             shares,
             lumps,
             slots,
             first_slots,
         })
+    }
+
+    /// Whether they are of bodies of revolution.
+    pub(super) fn is_ring(&self) -> bool {
+        !self.hoops.is_empty()
     }
 
     /// Number of cells.
@@ -126,9 +148,15 @@ impl<const D: usize> Elements<D> {
         Cell {
             nodes: &self.conn.as_chunks::<N>().0[cell],
             gradients: &self.gradients.as_chunks::<N>().0[cell * count..][..count],
+            hoops: if self.is_ring() { &self.hoops.as_chunks::<N>().0[cell * count..][..count] } else { &[] },
             volumes: &self.volumes[cell * count..][..count],
         }
     }
+}
+
+/// Circumference at a radius.
+pub(super) fn circumference(radius: f64) -> f64 {
+    2.0 * std::f64::consts::PI * radius
 }
 
 /// Entries of `conn` sorted by node, and where each node's begin.

@@ -4,6 +4,7 @@ use super::Model;
 use super::assembly::assemble;
 use super::elements::{Cell, Elements};
 use super::response::Response;
+use super::rings;
 use super::tensor::Tensor;
 use rayon::ThreadPool;
 
@@ -65,9 +66,18 @@ fn internal<const D: usize, const N: usize>(
 ) -> f64 {
     let response = Response::new(&elements.material);
     assemble::<D, N>(elements, pool, force, |cell, f| {
-        let Cell { nodes, gradients, volumes } = elements.cell::<N>(cell);
+        let cell = elements.cell::<N>(cell);
+        let Cell { nodes, gradients, volumes, .. } = cell;
         let u = nodes.map(|node| displacement[node as usize]);
         let mut energy = 0.0;
+        if elements.is_ring() {
+            rings::add_forces(&cell, f, |gradients, hoops, volume| {
+                let (stress, density) = response.stress(&rings::gradient(&u, gradients, hoops));
+                energy += volume * density;
+                stress
+            });
+            return energy;
+        }
         for (gradients, &volume) in gradients.iter().zip(volumes) {
             let (stress, density) = response.stress(&gradient(&u, gradients));
             energy += volume * density;
@@ -86,9 +96,17 @@ fn stiffness_product<const D: usize, const N: usize>(
 ) {
     let response = Response::new(&elements.material);
     assemble::<D, N>(elements, pool, product, |cell, f| {
-        let Cell { nodes, gradients, volumes } = elements.cell::<N>(cell);
+        let cell = elements.cell::<N>(cell);
+        let Cell { nodes, gradients, volumes, .. } = cell;
         let u = nodes.map(|node| displacement[node as usize]);
         let du = nodes.map(|node| direction[node as usize]);
+        if elements.is_ring() {
+            rings::add_forces(&cell, f, |gradients, hoops, _| {
+                let [h, dh] = [&u, &du].map(|u| rings::gradient(u, gradients, hoops));
+                response.stress_derivative(&h, &dh)
+            });
+            return 0.0;
+        }
         for (gradients, &volume) in gradients.iter().zip(volumes) {
             let stress = response.stress_derivative(&gradient(&u, gradients), &gradient(&du, gradients));
             add_divergence(&stress, gradients, volume, f);

@@ -1,5 +1,6 @@
 //! Loads that do not follow the deformation.
 
+use super::elements::circumference;
 use super::face_quadrature::{FacePoint, face_points};
 use super::{Face, Model};
 
@@ -14,13 +15,14 @@ impl<const D: usize> Model<D> {
         for face in faces {
             let x: Vec<[f64; D]> = face.nodes.iter().map(|&node| self.coords()[node as usize]).collect();
             for FacePoint { shape, slopes, weight } in face_points(D, face.nodes.len()) {
-                let place = std::array::from_fn(|i| x.iter().zip(&shape).map(|(x, s)| x[i] * s).sum());
+                let place: [f64; D] = std::array::from_fn(|i| x.iter().zip(&shape).map(|(x, s)| x[i] * s).sum());
                 let area = normal(match slopes {
                     None => straight_tangents(&x, &shape),
                     Some(slopes) => curved_tangents(&x, &slopes),
                 });
-                let size = area.iter().map(|a| a * a).sum::<f64>().sqrt();
-                let t = traction(&place, &area.map(|a| a / size));
+                let length = area.iter().map(|a| a * a).sum::<f64>().sqrt();
+                let t = traction(&place, &area.map(|a| a / length));
+                let size = if self.is_axisymmetric() { length * circumference(place[0]) } else { length };
                 for (&node, s) in face.nodes.iter().zip(&shape) {
                     (0..D).for_each(|axis| load[node as usize][axis] += weight * size * s * t[axis]);
                 }

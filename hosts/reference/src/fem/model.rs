@@ -39,12 +39,24 @@ impl<const D: usize> Model<D> {
         Self::with_cells(parts, &[])
     }
 
+    /// Bodies of revolution about r = 0, whose sections are the parts, in coordinates (r, z): energies, forces and masses are of whole rings.
+    ///
+    /// # Errors
+    /// Those of [`Model::with_cells`]; [`Error::InvertedCell`] for cells across the axis, too.
+    pub fn axisymmetric(parts: Vec<Part<D>>, more: &[Cells]) -> Result<Self, Error> {
+        Self::of(parts, more, true)
+    }
+
     /// The same with further cells, of parts whose cells are of several types.
     ///
     /// # Errors
     /// [`Error::Empty`], [`Error::CellType`], [`Error::NoElement`], [`Error::NodeOutOfRange`], [`Error::UnusedNode`],
     /// [`Error::NonFiniteCoordinate`], [`Error::InvertedCell`], [`Error::Material`].
     pub fn with_cells(parts: Vec<Part<D>>, more: &[Cells]) -> Result<Self, Error> {
+        Self::of(parts, more, false)
+    }
+
+    fn of(parts: Vec<Part<D>>, more: &[Cells], is_ring: bool) -> Result<Self, Error> {
         if parts.is_empty() || more.iter().any(|cells| cells.part >= parts.len()) {
             return Err(Error::Empty);
         }
@@ -53,7 +65,7 @@ impl<const D: usize> Model<D> {
         let mut elements = Vec::new();
         for (number, part) in parts.iter().enumerate() {
             let more: Vec<&Cells> = more.iter().filter(|cells| cells.part == number).collect();
-            elements.extend(Elements::of_part(part, &more, coords.len())?);
+            elements.extend(Elements::of_part(part, &more, (coords.len(), is_ring && D == 2))?);
             first_elements.push(elements.len());
             coords.extend_from_slice(&part.mesh.coords);
             first_nodes.push(coords.len());
@@ -77,6 +89,11 @@ impl<const D: usize> Model<D> {
     /// The parts, in the order given.
     pub fn parts(&self) -> &[Part<D>] {
         &self.parts
+    }
+
+    /// Whether they are bodies of revolution, and coordinates (r, z).
+    pub fn is_axisymmetric(&self) -> bool {
+        self.elements.iter().any(Elements::is_ring)
     }
 
     /// Node coordinates of the undeformed bodies, `[node_count, D]`.

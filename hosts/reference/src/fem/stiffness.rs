@@ -14,6 +14,10 @@ impl<const D: usize> Elements<D> {
         matrix.clear();
         matrix.resize(size * size, 0.0);
         for point in cell * self.points_per_cell..(cell + 1) * self.points_per_cell {
+            if self.is_ring() {
+                self.add_ring_stiffness(response, (point, nodes), displacement, matrix);
+                continue;
+            }
             let gradients = &self.gradients[point * count..][..count];
             let tangent = response.tangent(&self.displacement_gradient(point, nodes, displacement));
             for column in 0..size {

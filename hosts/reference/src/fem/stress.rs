@@ -3,9 +3,8 @@
 use super::Model;
 use super::elements::Elements;
 use super::response::Response;
-use super::tensor::{Tensor, from_fn};
 
-/// Cauchy stress as xx, yy, zz, xy, yz, zx, in Pa, tension positive; in plane strain with its zz.
+/// Cauchy stress as xx, yy, zz, xy, yz, zx, in Pa, tension positive; in plane strain with its zz. In bodies of revolution x is r, y is z, and the third axis that of the hoop.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Stress(pub [f64; 6]);
 
@@ -65,10 +64,7 @@ impl<const D: usize> Model<D> {
             for (cell, nodes) in elements.conn.chunks_exact(elements.cell_type.node_count()).enumerate() {
                 stresses.clear();
                 for point in cell * elements.points_per_cell..(cell + 1) * elements.points_per_cell {
-                    let h = elements.displacement_gradient(point, nodes, displacement);
-                    // In plane strain nothing moves along z, nor with z.
-                    let h: Tensor<3> = from_fn(|i, j| if i < D && j < D { h[i][j] } else { 0.0 });
-                    let s = response.cauchy(&h);
+                    let s = response.cauchy(&elements.gradient_in_space(point, nodes, displacement));
                     stresses.push(Stress([s[0][0], s[1][1], s[2][2], s[0][1], s[1][2], s[2][0]]));
                 }
                 take(elements, cell, &stresses);

@@ -5,6 +5,7 @@ mod frequency;
 mod loads;
 mod patch;
 mod refusals;
+mod rings;
 mod second_order;
 mod stress;
 
