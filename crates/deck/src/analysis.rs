@@ -1,12 +1,14 @@
 //! What a file means for its mesh, and its solution.
 //!
 //! `bodies` (connected parts of the mesh) · `facets` (their sizes) · `notes` (what is taken in another sense) ·
-//! `pairs` (who touches, rubs or is tied) · `references`, `shares`, `follow`, `points` (reference nodes: what they move and load, and what names stand for) · `timed` (a value over a step) · `state` (what is held
+//! `equations` (what follows what) · `levers` (reference nodes that turn freely) · `pairs` (who touches, rubs or is tied) · `references`, `shares`, `follow`, `points` (reference nodes: what they move and load, and what names stand for) · `timed` (a value over a step) · `state` (what is held
 //! and loaded, step after step) · `surfaces` (and their faces) · `spread` (loads on faces and volumes) · `symmetry` (planes that supports make) · `thickness` (of bodies of the plane) · `tied_parts` (faces that ties name) · `ties` (how far they reach) · `solve` (equilibria) · `result` (what a step leaves) · `warnings` (the library's, in words of files)
 
 mod bodies;
+mod equations;
 mod facets;
 mod follow;
+mod levers;
 mod notes;
 mod pairs;
 mod points;

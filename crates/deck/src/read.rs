@@ -2,11 +2,13 @@
 //!
 //! `deck` (all of it) · `scope` (which keyword stands where) · `words` (parameters that a keyword may have) · `names` (nodes, elements and
 //! their sets) · `elements` (types that are solved, and their faces) · `material`, `section` · `amplitude` · `surface` ·
-//! `interaction` (pairs, friction, ties) · `rigid` (nodes of a reference node) · `step` (supports and loads) · `output` (requests that change nothing) · `note` (what is taken in another sense)
+//! `interaction` (pairs, friction, ties) · `general` (contact of all with all) · `equation` (linear constraints) · `rigid` (nodes of a reference node) · `step` (supports and loads) · `output` (keywords that change nothing) · `note` (what is taken in another sense)
 
 mod amplitude;
 mod deck;
 mod elements;
+mod equation;
+mod general;
 mod interaction;
 mod material;
 mod names;
@@ -22,9 +24,11 @@ mod words;
 pub(crate) use amplitude::Amplitude;
 pub use deck::Deck;
 pub(crate) use elements::face_corners;
+pub(crate) use equation::{EquationRow, Term};
 pub(crate) use interaction::{PairRow, TieRow};
 pub(crate) use names::Kind;
 pub use note::Note;
 pub(crate) use rigid::{Members, RigidKind, RigidRow};
+pub(crate) use section::SectionRow;
 pub(crate) use step::{Boundary, Load, LoadKind, Step};
 pub(crate) use surface::SurfaceRow;

@@ -86,7 +86,12 @@ impl Places {
             more.extend(blocks);
             parts.push(Part { name, cell_type, mesh, material });
         }
-        let model = Model::with_cells(parts, &more).and_then(|model| model.with_threads(threads)).map_err(|error| {
+        check_radii(deck, &node_of)?;
+        let model = match deck.is_axisymmetric() {
+            true => Model::axisymmetric(parts, &more),
+            false => Model::with_cells(parts, &more),
+        };
+        let model = model.and_then(|model| model.with_threads(threads)).map_err(|error| {
             let Error::InvertedCell { part, cell } = &error else { return Fault::new(1, error.to_string()) };
             let body = names.iter().position(|name| name == part).unwrap_or(0);
             let cell = of_body[body][*cell];
@@ -95,6 +100,22 @@ impl Places {
         })?;
         let cells = of_body.into_iter().flatten().collect();
         Ok((Self { node_of, body_of, nodes, cells, is_finite }, model))
+    }
+}
+
+/// Bodies of revolution lie on one side of their axis.
+fn check_radii(deck: &Deck, node_of: &[Option<usize>]) -> Result<(), Fault> {
+    let mut nodes = (0..node_of.len()).filter(|&node| deck.is_axisymmetric() && node_of[node].is_some());
+    match nodes.find(|&node| deck.mesh.points[node][0] < 0.0) {
+        None => Ok(()),
+        Some(node) => {
+            let line = deck.elements.first().map_or(1, |row| row.line);
+            let (label, radius) = (deck.mesh.node_tags[node], deck.mesh.points[node][0]);
+            Err(Fault::new(
+                line,
+                format!("node {label} lies at r = {radius}: the first coordinate of CAX elements is a radius"),
+            ))
+        }
     }
 }
 

@@ -1,6 +1,7 @@
 //! How nodes follow their reference nodes, and what these bear.
 
 use super::Bodies;
+use super::levers::Lever;
 use super::points::Freedom;
 use super::references::{Reference, Way};
 use super::timed::{Timed, When};
@@ -43,21 +44,21 @@ fn turns<const D: usize>(axes: [bool; 3]) -> impl Iterator<Item = usize> {
     (0..3).filter(move |&axis| if D == 2 { axis == 2 } else { has_effect(axis) }).map(|axis| axis + 3)
 }
 
-/// Rotations are prescribed, and rest while a translation is free: what is solved.
+/// With finite displacements rotations are prescribed, and rest while a translation is free: what is solved.
 pub(super) fn check<const D: usize>(
     references: &[Reference<D>],
     first: usize,
     supports: &Values,
     (line, is_finite): (usize, bool),
 ) -> Result<(), Fault> {
-    for (number, reference) in references.iter().enumerate() {
+    for (number, reference) in references.iter().enumerate().filter(|_| is_finite) {
         let Way::Follows(axes) = reference.way else { continue };
         let (label, name) = (reference.label, reference.name());
         let held = |axis: usize| supports.get(&(first + number, axis)).map(|(value, _)| value);
         if let Some(free) = turns::<D>(axes).find(|&axis| held(axis).is_none()) {
             let message = format!(
-                "degree of freedom {} of node {label}, of {name}, is free in this step: rotations are not solved for. Hold it or \
-                 give it a motion, or take a stiff elastic body",
+                "with NLGEOM, degree of freedom {} of node {label}, of {name}, is free in this step: finite rotations are not solved for. Hold it or \
+                 give it a motion, leave out NLGEOM, or take a stiff elastic body",
                 free + 1
             );
             return Err(Fault::new(line, message));
@@ -66,16 +67,40 @@ pub(super) fn check<const D: usize>(
         let turning = turns::<D>(axes).find(|&axis| held(axis).is_some_and(|value| !value.is_constant()));
         if let (Some(free), Some(turning)) = (free, turning) {
             let message = format!(
-                "node {label}, of {name}, is free along degree of freedom {} while it turns by degree of freedom {}: known is one of both",
+                "with NLGEOM, node {label}, of {name}, is free along degree of freedom {} while it turns by degree of freedom {}: known is one of both",
                 free + 1,
                 turning + 1
             );
             return Err(Fault::new(line, message));
         }
         let is_turned = turns::<D>(axes).any(|axis| held(axis).is_some_and(|value| !value.is_zero()));
-        if is_finite && is_turned && !(0..D).all(|axis| axes[axis]) {
+        if is_turned && !(0..D).all(|axis| axes[axis]) {
             let message =
                 format!("with NLGEOM, node {label} of {name} turns, and its nodes follow along some axes alone");
+            return Err(Fault::new(line, message));
+        }
+    }
+    Ok(())
+}
+
+/// A rigid ring moves along its axis alone.
+pub(super) fn check_rings<const D: usize>(
+    references: &[Reference<D>],
+    first: usize,
+    supports: &Values,
+    line: usize,
+) -> Result<(), Fault> {
+    for (number, reference) in references.iter().enumerate() {
+        let Way::Follows(axes) = reference.way else { continue };
+        let rests = |axis: usize| supports.get(&(first + number, axis)).is_some_and(|(value, _)| value.is_zero());
+        let moving = [0].into_iter().filter(|_| axes[0]).chain(turns::<D>(axes)).find(|&axis| !rests(axis));
+        if let Some(axis) = moving {
+            let message = format!(
+                "degree of freedom {} of node {}, of {}, is not held at 0 in this step: a rigid body of revolution moves along its axis alone",
+                axis + 1,
+                reference.label,
+                reference.name()
+            );
             return Err(Fault::new(line, message));
         }
     }
@@ -110,6 +135,30 @@ pub(super) struct Stage<'a, const D: usize> {
 }
 
 impl<const D: usize> Stage<'_, D> {
+    /// The lever by which a reference node moves its nodes, where rotations are small and free, or turn it while it is free.
+    fn lever(&self, (number, reference): (usize, &Reference<D>), values: &Values) -> Result<Option<Lever<D>>, Fault> {
+        let Way::Follows(axes) = reference.way else { return Ok(None) };
+        let of = |axis: usize| values.get(&(self.first + number, axis)).map(|(value, _)| value);
+        let is_free = |&axis: &usize| of(axis).is_none();
+        let translations = (0..D).filter(|&axis| axes[axis]);
+        let is_turned = turns::<D>(axes).any(|axis| of(axis).is_none_or(|value| !value.is_zero()));
+        let free: Vec<usize> = translations.chain(turns::<D>(axes)).filter(is_free).collect();
+        if self.bodies.places.is_finite || free.is_empty() || !is_turned {
+            return Ok(None);
+        }
+        let held = std::array::from_fn(|axis| of(axis).map(|value| value.at(self.when)));
+        let lever = Lever::new(reference, (axes, free), held);
+        lever.map(Some).map_err(|component| {
+            let message = format!(
+                "degree of freedom {} of node {}, of {}, is free, and no node feels it: hold it",
+                component + 1,
+                reference.label,
+                reference.name()
+            );
+            Fault::new(reference.line, message)
+        })
+    }
+
     /// Adds supports of the nodes of a reference node, and what joins them; `turned` is its rotation when the stage begins, and then at its end.
     pub(super) fn add(
         &self,
@@ -117,8 +166,12 @@ impl<const D: usize> Stage<'_, D> {
         values: &Values,
         turned: &mut [f64; 3],
         (supports, rigid): (&mut Constraints<D>, &mut Rigid<D>),
-    ) {
-        let Way::Follows(axes) = reference.way else { return };
+    ) -> Result<Option<Lever<D>>, Fault> {
+        let Way::Follows(axes) = reference.way else { return Ok(None) };
+        if let Some(lever) = self.lever((number, reference), values)? {
+            rigid.followers.extend_from_slice(&lever.followers);
+            return Ok(Some(lever));
+        }
         let value = |axis: usize| values.get(&(self.first + number, axis)).map(|(value, _)| value.at(self.when));
         let rotation: [f64; 3] = std::array::from_fn(|axis| value(axis + 3).unwrap_or(0.0));
         let translation: [f64; D] = std::array::from_fn(|axis| value(axis).unwrap_or(0.0));
@@ -146,6 +199,7 @@ impl<const D: usize> Stage<'_, D> {
             });
         }
         *turned = rotation;
+        Ok(None)
     }
 }
 
@@ -172,21 +226,47 @@ pub(super) fn borne<const D: usize>(
     Borne { reactions, references: results }
 }
 
+/// How a reference node has moved its nodes, and what is applied to it.
+pub(super) struct Moved<'a, const D: usize> {
+    pub(super) lever: Option<&'a Lever<D>>,
+    pub(super) rotation: [f64; 3],
+    pub(super) is_finite: bool,
+    pub(super) applied: [f64; 6],
+}
+
 /// What holds a reference node, which bears what its nodes lack and what is applied to it.
 pub(super) fn result<const D: usize>(
     (number, reference): (usize, &Reference<D>),
     at: &Equilibrium<D>,
-    (rotation, is_finite): ([f64; 3], bool),
-    applied: [f64; 6],
+    &Moved { lever, rotation, is_finite, applied }: &Moved<D>,
 ) -> Option<ReferenceResult> {
     let Way::Follows(axes) = reference.way else { return None };
     let (balance, displacement): (&Balance<D>, _) = (at.balance(), at.displacement());
+    let motion = lever.map(|lever| lever.motion(displacement));
+    let rotation = motion.map_or(rotation, |motion| [motion[3], motion[4], motion[5]]);
     let turn = |arm: [f64; D]| {
         let motion = RigidMotion { translation: [0.0; D], rotation };
         if is_finite { motion.finite(arm) } else { motion.small(arm) }
     };
+    let mut lacking: Vec<[f64; 3]> = reference
+        .nodes
+        .iter()
+        .map(|&node| std::array::from_fn(|k| if k < D && axes[k] { balance.residual[node][k] } else { 0.0 }))
+        .collect();
+    // What is applied to the reference node some of its nodes have: their arms are none of the load's.
+    for (component, &value) in applied.iter().enumerate() {
+        match lever {
+            None if component < 3 => lacking[0][component] += value,
+            None => {}
+            Some(lever) => lever.load(component, value).for_each(|(node, axis, force)| {
+                if let Ok(k) = reference.nodes.binary_search(&node) {
+                    lacking[k][axis] += force;
+                }
+            }),
+        }
+    }
     let (mut force, mut moment) = ([0.0; 3], [0.0; 3]);
-    let mut add = |arm: [f64; D], f: [f64; 3]| {
+    for (&arm, f) in reference.arms.iter().zip(lacking) {
         let turned = turn(arm);
         let arm: [f64; 3] =
             std::array::from_fn(|k| arm.get(k).map_or(0.0, |a| a + if is_finite { turned[k] } else { 0.0 }));
@@ -195,17 +275,11 @@ pub(super) fn result<const D: usize>(
             force[k] += f[k];
             moment[k] += arm[i] * f[j] - arm[j] * f[i];
         }
-    };
-    for (&node, &arm) in reference.nodes.iter().zip(&reference.arms) {
-        add(arm, std::array::from_fn(|k| if k < D && axes[k] { balance.residual[node][k] } else { 0.0 }));
     }
-    // What is applied to the reference node, the first of its nodes has: its arm is none of the load's.
-    let at_first = std::array::from_fn(|k| applied[k]);
-    add(reference.arms[0], at_first);
     (0..3).for_each(|k| (force[k], moment[k]) = (force[k] - applied[k], moment[k] - applied[k + 3]));
     let (node, turned) = (reference.nodes[0], turn(reference.arms[0]));
     let moved = |k: usize| if axes[k] { displacement[node].get(k).map_or(0.0, |u| u - turned[k]) } else { 0.0 };
-    let displacement = std::array::from_fn(moved);
+    let displacement = motion.map_or(std::array::from_fn(moved), |motion| [motion[0], motion[1], motion[2]]);
     let Reference { label, own, .. } = *reference;
     Some(ReferenceResult { label, number, own, force, moment, displacement, rotation })
 }

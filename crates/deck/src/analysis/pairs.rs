@@ -87,11 +87,17 @@ pub(super) fn pairs<const D: usize>(deck: &Deck, bodies: Bodies<D>) -> Result<Pa
             ..PairOptions::default()
         };
         let is_self = row.surfaces[0].eq_ignore_ascii_case(&row.surfaces[1]);
-        if touching.is_empty() {
+        let is_all = row.surfaces[0].is_empty();
+        if touching.is_empty() && !is_all {
             let message = "contact pairs choose bodies, which may also touch beside the surfaces named here".to_owned();
             pairs.notes.push(Note { line: row.line, message });
         }
-        for pair in between(deck, bodies, row.line, &row.surfaces, is_self)? {
+        let count = bodies.model.parts().len();
+        let chosen = match is_all {
+            true => (0..count).flat_map(|a| (a..count).map(move |b| [a, b])).collect(),
+            false => between(deck, bodies, row.line, &row.surfaces, is_self)?,
+        };
+        for pair in chosen {
             let before = touching.insert(pair, (options, row.line));
             if let Some((_, first)) = before.filter(|(before, _)| *before != options) {
                 let [a, b] = names(bodies, pair);

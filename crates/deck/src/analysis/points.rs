@@ -71,7 +71,7 @@ pub(super) fn freedom<const D: usize>(
             let label = deck.mesh.node_tags[bodies.places.nodes[node]];
             let leads = |reference: &&Reference<D>| match reference.way {
                 Way::Follows(axes) => axis < 3 && axes[axis] && reference.nodes.binary_search(&node).is_ok(),
-                Way::Shares(_) => false,
+                Way::Shares(_) | Way::Loose(_) => false,
             };
             let leader = references.iter().find(leads).filter(|_| asked.is_motion);
             return match (axis, leader) {
@@ -104,6 +104,13 @@ pub(super) fn freedom<const D: usize>(
         _ if D == 2 && !is_of_plane => {
             refused(format!("there is no degree of freedom {number} in 2D, only 1, 2 and 6"))
         }
+        Way::Loose(_) if axis >= 3 && asked.is_named => Ok(None),
+        Way::Loose(axes) if axis >= 3 || !axes[axis] => match is_at_rest && axis < 3 {
+            true => Ok(None),
+            false => refused(format!(
+                "no *EQUATION has degree of freedom {number} of node {label}, which belongs to no element"
+            )),
+        },
         Way::Shares(_) if asked.is_motion => refused(format!(
             "node {label}, of {name}, takes forces and moments, and no motion is prescribed for it: take *KINEMATIC"
         )),

@@ -33,12 +33,30 @@ pub(crate) enum Way<const D: usize> {
     Follows([bool; 3]),
     /// Loads: by degree of freedom of the reference node, the forces on its nodes for the value 1; none where it takes none.
     Shares([Option<Vec<[f64; D]>>; 6]),
+    /// No nodes: it belongs to no element, and equations name it along these axes.
+    Loose([bool; 3]),
 }
 
 impl<const D: usize> Reference<D> {
-    /// Whether it moves nodes, and does not only load them.
+    /// Whether it has a motion, and does not only load nodes.
     pub(crate) fn has_motion(&self) -> bool {
-        matches!(self.way, Way::Follows(_))
+        !matches!(self.way, Way::Shares(_))
+    }
+
+    /// A node of no element that an equation names along an axis.
+    pub(super) fn loose(deck: &Deck, node: usize, line: usize, axis: usize) -> Self {
+        Self {
+            line,
+            keyword: "*EQUATION",
+            node,
+            label: deck.mesh.node_tags[node],
+            own: None,
+            rotating: None,
+            place: std::array::from_fn(|axis| deck.mesh.points[node][axis]),
+            nodes: Vec::new(),
+            arms: Vec::new(),
+            way: Way::Loose(std::array::from_fn(|k| k == axis)),
+        }
     }
 
     /// How messages call it.
@@ -107,6 +125,10 @@ fn reference<const D: usize>(
     if own.is_some_and(|own| first.kind != RigidKind::Follows([true; 3]) || nodes.binary_search(&own).is_err()) {
         let message =
             format!("the reference node {label} belongs to an element: known is a node of none, or of the rigid body");
+        return Err(Fault::new(first.line, message));
+    }
+    if bodies.model.is_axisymmetric() && matches!(first.kind, RigidKind::Shares(_)) {
+        let message = "*DISTRIBUTING is not known for bodies of revolution: load nodes or faces of the ring";
         return Err(Fault::new(first.line, message));
     }
     let place: [f64; D] = std::array::from_fn(|axis| deck.mesh.points[node][axis]);

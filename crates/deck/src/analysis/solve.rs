@@ -1,6 +1,5 @@
 //! Equilibria of all steps.
 
-use super::notes::notes;
 use super::pairs::{Pairs, adjustment, check_surfaces, pairs, stiffness};
 use super::points::{Point, points};
 use super::result::StepResult;
@@ -81,10 +80,16 @@ impl<'a, const D: usize> Analysis<'a, D> {
         let mut held: Option<BTreeSet<(usize, usize)>> = None;
         for step in &deck.steps {
             state.begin(deck, bodies, step)?;
+            let undeformed = vec![[0.0; D]; bodies.model.node_count()];
+            for time in state.stages() {
+                state.at(deck, bodies, time, &undeformed)?;
+            }
             let now = state.held(bodies);
             held = Some(held.map_or(now.clone(), |before| before.intersection(&now).copied().collect()));
         }
-        let planes = planes(bodies, &held.unwrap_or_default());
+        let held = held.unwrap_or_default();
+        let planes = planes(bodies, &held);
+        let free_on_axis = on_axis(deck, bodies, &held);
         let adjust = adjustment(deck, bodies)?;
         let state = State::new(deck, bodies)?;
         let sets = deck
@@ -94,7 +99,8 @@ impl<'a, const D: usize> Analysis<'a, D> {
         let sets = sets.collect::<Result<_, Fault>>()?;
         let apart = state.references.iter().filter(|reference| reference.own.is_none() && reference.has_motion());
         let order = [places.nodes.clone(), places.cells.clone(), apart.map(|reference| reference.node).collect()];
-        let notes = notes(deck, &pairs.notes, places.is_finite)?;
+        let notes = [&pairs.notes[..], free_on_axis.as_slice()].concat();
+        let notes = super::notes::notes(deck, &notes, places.is_finite)?;
         Ok(Self { deck, model, places, state, pairs, sets, stiffness, planes, adjust, options, order, notes })
     }
 
@@ -130,7 +136,8 @@ impl<'a, const D: usize> Analysis<'a, D> {
             let (mut before, mut taken, mut halvings) = (0.0, 0, kept.halvings());
             for time in self.state.stages() {
                 let bodies = Bodies { model: kept.model(), places: &self.places };
-                let driven = self.state.at(bodies, time, kept.displacement().unwrap_or(&undeformed));
+                let driven = self.state.at(self.deck, bodies, time, kept.displacement().unwrap_or(&undeformed));
+                let driven = driven.map_err(|fault| anyhow::anyhow!(self.deck.located(&fault)))?;
                 let mut at = match kept {
                     Kept::Model(model) => {
                         let names: Vec<String> = model.parts().iter().map(|part| part.name.clone()).collect();
@@ -150,7 +157,7 @@ impl<'a, const D: usize> Analysis<'a, D> {
                 match at.follow(path, &mut |iteration| watch(number + 1, iteration)) {
                     Ok(()) => {}
                     Err(StaticsError::Interrupted) => return Ok(Solved::Interrupted(number + 1)),
-                    Err(error) => return Ok(Solved::Failed(number + 1, error)),
+                    Err(error) => return Ok(Solved::Failed(number + 1, unheld(error, &at, &self.pairs))),
                 }
                 before = time;
                 largest_force = largest_force.max(at.balance().scale);
@@ -203,6 +210,27 @@ impl<const D: usize> Kept<D> {
     }
 }
 
+/// The first node on the axis of bodies of revolution that may leave it.
+fn on_axis<const D: usize>(deck: &Deck, bodies: Bodies<D>, held: &BTreeSet<(usize, usize)>) -> Option<Note> {
+    let mut nodes = bodies.model.coords().iter().enumerate().filter(|_| bodies.model.is_axisymmetric());
+    let (node, _) = nodes.find(|(node, place)| place[0] == 0.0 && !held.contains(&(*node, 0)))?;
+    let label = deck.mesh.node_tags[bodies.places.nodes[node]];
+    let message = format!("node {label} lies on the axis r = 0 and is free to leave it: hold its degree of freedom 1");
+    Some(Note { line: deck.elements.first().map_or(1, |row| row.line), message })
+}
+
+/// A body that is tied is not separated from the others by itself: it goes with those that it is tied to.
+fn unheld<const D: usize>(error: StaticsError, at: &Equilibrium<D>, pairs: &Pairs) -> StaticsError {
+    let is_tied = |name: &String| {
+        let mut bodies = pairs.tied_by.keys().flatten();
+        bodies.any(|&body| at.model().parts()[body].name == *name)
+    };
+    match error {
+        StaticsError::Separated { body, motion } if is_tied(&body) => StaticsError::Unsupported { body, motion },
+        error => error,
+    }
+}
+
 /// What is wrong with a tie, at its line.
 fn untied(error: &StaticsError, pairs: &Pairs, names: &[String]) -> Option<Fault> {
     let StaticsError::Contact(fmc_contact::Error::Untied { bodies, distances: [reach, nearest], .. }) = error else {
@@ -236,7 +264,8 @@ impl<const D: usize> Start<D> {
         Driven { supports, forces: load, rigid }: Driven<D>,
     ) -> Result<Equilibrium<D>, StaticsError> {
         let SolveOptions { threads, tolerance, penetration } = self.options;
-        let contact = Options { threads, ..Options::new(EnergyLaw::depth(self.stiffness)) };
+        let axisymmetric = model.is_axisymmetric();
+        let contact = Options { threads, axisymmetric, ..Options::new(EnergyLaw::depth(self.stiffness)) };
         let (pairs, surfaces) = (self.pairs.clone(), self.surfaces.clone());
         let (symmetry_planes, adjust) = (self.planes.clone(), self.adjust);
         let problem =

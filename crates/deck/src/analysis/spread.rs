@@ -122,6 +122,9 @@ fn gravity<const D: usize>(
     load: &Load,
     direction: &[f64; 3],
 ) -> Result<Vec<[f64; D]>, Fault> {
+    if bodies.model.is_axisymmetric() && direction[0] != 0.0 {
+        return Err(Fault::new(load.line, "GRAV acts along the axis of bodies of revolution, the second coordinate"));
+    }
     let length = direction.iter().map(|x| x * x).sum::<f64>().sqrt();
     if !(length > 0.0 && length.is_finite()) {
         return Err(Fault::new(load.line, "GRAV needs a direction"));

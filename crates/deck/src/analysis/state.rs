@@ -1,8 +1,10 @@
 //! What is held and loaded, step after step.
 
 use super::Bodies;
-use super::follow::{self, Borne, Stage, Values};
-use super::points::{Asked, Point, freedom, points};
+use super::equations::{self, Eliminated, Equation, Known};
+use super::follow::{self, Borne, Moved, ReferenceResult, Stage, Values};
+use super::levers::Lever;
+use super::points::{Asked, Freedom, Point, freedom, points};
 use super::references::{Reference, Way, references};
 use super::spread::{Faces, faces, spread};
 use super::thickness::thickness;
@@ -10,7 +12,7 @@ use super::timed::{Timed, When};
 use crate::Fault;
 use crate::read::{Amplitude, Boundary, Deck, Load, LoadKind, Step};
 use fmc_solid::fem::Constraints;
-use fmc_solid::statics::{Equilibrium, Rigid};
+use fmc_solid::statics::{Equilibrium, Follower, Rigid};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// A load on faces or volumes.
@@ -34,6 +36,10 @@ pub(super) struct Driven<const D: usize> {
 pub(super) struct State<const D: usize> {
     faces: Faces,
     pub(super) references: Vec<Reference<D>>,
+    equations: Vec<Equation>,
+    /// What follows by the equations, and reference nodes that turn freely, by their numbers: of the last stage.
+    eliminated: Eliminated,
+    levers: BTreeMap<usize, Lever<D>>,
     /// Of all bodies; loads on points are divided by it.
     pub(super) thickness: f64,
     /// Rotations of the reference nodes at the end of the last stage.
@@ -51,10 +57,14 @@ impl<const D: usize> State<D> {
     /// Before the first step.
     pub(super) fn new(deck: &Deck, bodies: Bodies<D>) -> Result<Self, Fault> {
         let faces = faces(bodies);
-        let references = references(deck, bodies, &faces)?;
+        let mut references = references(deck, bodies, &faces)?;
+        equations::add_loose(deck, bodies, &mut references)?;
         let mut state = Self {
             faces,
             turned: vec![[0.0; 3]; references.len()],
+            equations: equations::equations(deck, bodies, &references)?,
+            eliminated: Eliminated::new(),
+            levers: BTreeMap::new(),
             references,
             thickness: thickness(deck, D)?,
             supports: BTreeMap::new(),
@@ -103,6 +113,9 @@ impl<const D: usize> State<D> {
         }
         self.end = When { time: step.period, period: step.period, begun };
         let first = bodies.model.node_count();
+        if bodies.model.is_axisymmetric() {
+            follow::check_rings(&self.references, first, &self.supports, step.line)?;
+        }
         follow::check(&self.references, first, &self.supports, (step.line, bodies.places.is_finite))
     }
 
@@ -120,21 +133,44 @@ impl<const D: usize> State<D> {
     }
 
     /// Supports, loads and rigid motions at a time of the step: the end of a stage that begins at a displacement.
-    pub(super) fn at(&mut self, bodies: Bodies<D>, time: f64, displacement: &[[f64; D]]) -> Driven<D> {
+    ///
+    /// # Errors
+    /// Equations that cannot hold, and rotations that no node feels.
+    pub(super) fn at(
+        &mut self,
+        deck: &Deck,
+        bodies: Bodies<D>,
+        time: f64,
+        displacement: &[[f64; D]],
+    ) -> Result<Driven<D>, Fault> {
         let (when, first) = (When { time, ..self.end }, bodies.model.node_count());
         let (mut supports, mut rigid) = (Constraints::default(), Rigid::default());
         for (&(node, axis), (value, _)) in self.supports.range(..(first, 0)) {
             supports.prescribe([node], axis, value.at(when));
         }
         let stage = Stage { bodies, first, when, displacement };
+        self.levers.clear();
         for (number, (reference, turned)) in self.references.iter().zip(&mut self.turned).enumerate() {
-            stage.add((number, reference), &self.supports, turned, (&mut supports, &mut rigid));
+            let lever = stage.add((number, reference), &self.supports, turned, (&mut supports, &mut rigid))?;
+            lever.into_iter().for_each(|lever| drop(self.levers.insert(number, lever)));
         }
+        self.eliminate((deck, bodies), when, (&supports, &mut rigid))?;
         let mut forces = vec![[0.0; D]; first];
         for (&(place, axis), (value, _)) in &self.forces {
             let value = value.at(when) / self.thickness;
-            match place.checked_sub(first).map(|number| &self.references[number]) {
+            let number = place.checked_sub(first);
+            match number.map(|number| &self.references[number]) {
                 None => forces[place][axis] += value,
+                Some(Reference { way: Way::Loose(_), .. }) => {
+                    let followed = self.eliminated.get(&(place, axis)).into_iter().flatten();
+                    let of_model = followed.filter(|((place, _), _)| *place < first);
+                    of_model.for_each(|(&(node, axis), weight)| forces[node][axis] += weight * value);
+                }
+                Some(_) if number.is_some_and(|number| self.levers.contains_key(&number)) => {
+                    let lever = number.and_then(|number| self.levers.get(&number));
+                    let loads = lever.into_iter().flat_map(|lever| lever.load(axis, value));
+                    loads.for_each(|(node, axis, force)| forces[node][axis] += force);
+                }
                 Some(Reference { way: Way::Shares(shares), nodes, .. }) => {
                     for (&node, share) in nodes.iter().zip(shares[axis].iter().flatten()) {
                         (0..D).for_each(|k| forces[node][k] += value * share[k]);
@@ -151,7 +187,47 @@ impl<const D: usize> State<D> {
                 (0..D).for_each(|axis| sum[axis] += value * force[axis]);
             }
         }
-        Driven { supports, forces, rigid }
+        Ok(Driven { supports, forces, rigid })
+    }
+
+    /// What follows by the equations at a time, and how.
+    fn eliminate(
+        &mut self,
+        (deck, bodies): (&Deck, Bodies<D>),
+        when: When,
+        (supports, rigid): (&Constraints<D>, &mut Rigid<D>),
+    ) -> Result<(), Fault> {
+        if self.equations.is_empty() {
+            return Ok(());
+        }
+        let first = bodies.model.node_count();
+        let of_nodes: BTreeMap<Freedom, f64> =
+            supports.iter().map(|(node, axis, value)| ((node, axis), value)).collect();
+        let held = |freedom: Freedom| match freedom.0 < first {
+            true => of_nodes.get(&freedom).copied(),
+            false => self.supports.get(&freedom).map(|(value, _)| value.at(when)),
+        };
+        let joined = rigid.joined.iter().flatten().copied();
+        let led: BTreeSet<usize> = joined.chain(rigid.followers.iter().map(|f| f.freedom)).collect();
+        let leads: BTreeSet<usize> = rigid.followers.iter().flat_map(|f| f.of.iter().map(|(of, _)| *of)).collect();
+        let is_led = |(place, axis): Freedom| {
+            let freedom = place * D + axis;
+            place < first && (led.contains(&freedom) || leads.contains(&freedom))
+        };
+        let label = |place: usize| match place.checked_sub(first) {
+            None => deck.mesh.node_tags[bodies.places.nodes[place]],
+            Some(number) => self.references[number].label,
+        };
+        let known = Known { first, held: &held, is_led: &is_led, label: &label };
+        let eliminated = equations::eliminated(&self.equations, &known)?;
+        for (&(place, axis), followed) in eliminated.range(..(first, 0)) {
+            let of = followed.range(..(first, 0)).map(|(&(node, axis), &weight)| (node * D + axis, weight));
+            let loose = followed.range((first, 0)..);
+            let apart = loose.map(|(&freedom, weight)| weight * held(freedom).unwrap_or(0.0)).sum();
+            rigid.followers.push(Follower { freedom: place * D + axis, of: of.collect(), apart: Some(apart) });
+        }
+        self.eliminated = eliminated;
+        Ok(())
     }
 
     /// Nodes and axes that do not move in this step.
@@ -169,10 +245,54 @@ impl<const D: usize> State<D> {
             let value = |axis: usize| {
                 self.forces.get(&(first + number, axis)).map_or(0.0, |(f, _)| f.at(self.end) / self.thickness)
             };
-            follow::result((number, reference), at, (self.turned[number], is_finite), std::array::from_fn(value))
+            let (lever, rotation) = (self.levers.get(&number), self.turned[number]);
+            let applied = std::array::from_fn(value);
+            let moved = Moved { lever, rotation, is_finite, applied };
+            follow::result((number, reference), at, &moved).or_else(|| self.of_loose((number, reference), at, applied))
         };
         let results = self.references.iter().enumerate().filter_map(one).collect();
-        follow::borne(&self.references, results, at)
+        let mut borne = follow::borne(&self.references, results, at);
+        // What follows hands on what it bears; what is held bears it.
+        for (&(place, axis), followed) in self.eliminated.range(..(first, 0)) {
+            let lacking = at.balance().residual[place][axis];
+            for (&(node, axis), weight) in followed.range(..(first, 0)) {
+                if at.problem().supports.contains(node, axis) {
+                    borne.reactions[node][axis] += weight * lacking;
+                }
+            }
+        }
+        borne
+    }
+
+    /// What holds a node of no element, and how it has moved, by the equations.
+    fn of_loose(
+        &self,
+        (number, reference): (usize, &Reference<D>),
+        at: &Equilibrium<D>,
+        applied: [f64; 6],
+    ) -> Option<ReferenceResult> {
+        let Way::Loose(axes) = reference.way else { return None };
+        let first = at.model().node_count();
+        let held = |freedom: &Freedom| self.supports.get(freedom).map(|(value, _)| value.at(self.end));
+        let (mut force, mut displacement) = ([0.0; 3], [0.0; 3]);
+        for axis in (0..D).filter(|&axis| axes[axis]) {
+            let own = (first + number, axis);
+            if let Some(value) = held(&own) {
+                let followers = self.eliminated.range(..(first, 0));
+                let borne = followers.map(|(&(node, k), followed)| {
+                    followed.get(&own).map_or(0.0, |weight| weight * at.balance().residual[node][k])
+                });
+                (displacement[axis], force[axis]) = (value, borne.sum::<f64>() - applied[axis]);
+            } else if let Some(followed) = self.eliminated.get(&own) {
+                let value = |freedom: &Freedom| match freedom.0 < first {
+                    true => at.displacement()[freedom.0][freedom.1],
+                    false => held(freedom).unwrap_or(0.0),
+                };
+                displacement[axis] = followed.iter().map(|(freedom, weight)| weight * value(freedom)).sum();
+            }
+        }
+        let Reference { label, own, .. } = *reference;
+        Some(ReferenceResult { label, number, own, force, moment: [0.0; 3], displacement, rotation: [0.0; 3] })
     }
 
     /// Time since the first step began.

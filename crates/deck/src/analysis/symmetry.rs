@@ -23,7 +23,9 @@ pub(super) fn planes<const D: usize>(bodies: Bodies<D>, held: &BTreeSet<(usize, 
         nodes.iter().all(|&node| (coords[node as usize][axis] - at).abs() <= IN_PLANE * size)
     };
     let mut found: Vec<(usize, f64)> = Vec::new();
-    for axis in 0..D {
+    // Cylinders are no planes, and the axis of bodies of revolution the library knows.
+    let first = usize::from(bodies.model.is_axisymmetric());
+    for axis in first..D {
         for at in ends(axis) {
             let mut faces = all.iter().flatten().filter(|nodes| is_in(nodes, axis, at)).peekable();
             let is_held = |nodes: &Vec<u32>| nodes.iter().all(|&node| held.contains(&(node as usize, axis)));

@@ -4,11 +4,15 @@
 
 use super::result::StepResult;
 use crate::Fault;
-use crate::read::Deck;
+use crate::read::{Deck, SectionRow};
 
 /// The thickness of all bodies; 1 in space.
 pub(super) fn thickness(deck: &Deck, dimension: usize) -> Result<f64, Fault> {
     let Some(first) = deck.sections.first() else { return Ok(1.0) };
+    let ring = deck.sections.iter().find(|section| deck.is_axisymmetric() && section.thickness != 1.0);
+    if let Some(SectionRow { line, thickness, .. }) = ring {
+        return Err(Fault::new(*line, format!("bodies of revolution have no thickness, and here it is {thickness}")));
+    }
     if let Some(section) = deck.sections.iter().find(|section| dimension == 3 && section.thickness != 1.0) {
         return Err(Fault::new(
             section.line,

@@ -1,12 +1,14 @@
 //! The whole of a file.
 
 use super::amplitude::Amplitude;
-use super::elements::{ElementRow, solved};
+use super::elements::{ElementRow, is_ring, solved};
+use super::equation::EquationRow;
+use super::general::GeneralRow;
 use super::interaction::{Interaction, PairRow, TieRow};
 use super::material::MaterialRow;
 use super::names::{Kind, Names};
 use super::note::Note;
-use super::output::REQUESTS;
+use super::output::unused;
 use super::rigid::{RigidKind, RigidRow};
 use super::scope::Scope;
 use super::section::SectionRow;
@@ -34,6 +36,7 @@ pub struct Deck {
     pub(crate) pairs: Vec<PairRow>,
     pub(crate) ties: Vec<TieRow>,
     pub(crate) rigid: Vec<RigidRow>,
+    pub(crate) equations: Vec<EquationRow>,
     /// Sets of nodes whose reactions are asked for, with the line.
     pub(crate) reactions: Vec<(String, usize)>,
     /// What holds from the start.
@@ -62,6 +65,7 @@ struct Open {
     variants: Vec<(String, usize)>,
     requests: Vec<(String, usize)>,
     elements: Vec<Rows>,
+    general: Option<GeneralRow>,
 }
 
 impl Deck {
@@ -104,9 +108,14 @@ impl Deck {
             Filled::Solid => Ok(3),
             Filled::Surface => {
                 let line = self.elements.first().map_or(1, |row| row.line);
-                Err(Fault::new(line, "elements of plane strain do not lie in a plane z = const"))
+                Err(Fault::new(line, "elements of the plane do not lie in a plane z = const"))
             }
         }
+    }
+
+    /// Whether its elements are sections (r, z) of bodies of revolution.
+    pub fn is_axisymmetric(&self) -> bool {
+        self.elements.iter().any(|row| is_ring(&row.kind))
     }
 
     fn empty(mesh: Mesh, input: Expanded) -> Self {
@@ -122,6 +131,7 @@ impl Deck {
             pairs: Vec::new(),
             ties: Vec::new(),
             rigid: Vec::new(),
+            equations: Vec::new(),
             reactions: Vec::new(),
             initial: Step::empty(1),
             steps: Vec::new(),
@@ -140,6 +150,7 @@ impl Deck {
             let Some(keyword) = lines.keyword() else { break };
             self.take_keyword(&keyword, &mut lines, &mut open)?;
         }
+        self.pairs.extend(open.general.take().map(GeneralRow::pairs).transpose()?.into_iter().flatten());
         let last = text.lines().count();
         if open.is_in_step {
             return Err(Fault::new(last, "the file ends within a *STEP"));
@@ -154,7 +165,8 @@ impl Deck {
             self.notes.push(Note::new(*line, format!("{name}: integrated in full, as without its last letters")));
         }
         for (name, line) in &open.requests {
-            self.notes.push(Note::new(*line, format!("*{name}: files and tables do not depend on it")));
+            let said = unused(name).unwrap_or_default();
+            self.notes.push(Note::new(*line, format!("*{name}: {said}")));
         }
         self.elements = self.element_rows(&open.elements);
         Ok(())
@@ -173,7 +185,7 @@ impl Deck {
         let scope = open.scope.clone().unwrap_or(Scope::Model);
         let name = keyword.name.as_str();
         if let Some(material) = open.material.as_ref().and_then(|name| self.materials.get_mut(name)) {
-            if material.read(keyword, lines)? {
+            if material.read(keyword, lines, &mut self.notes)? {
                 return Ok(());
             }
             open.material = None;
@@ -184,7 +196,7 @@ impl Deck {
             }
             open.interaction = None;
         }
-        if REQUESTS.contains(&name) {
+        if unused(name).is_some() {
             if name == "RESTART" && keyword.value("READ").is_some() {
                 return Err(Fault::new(keyword.line, "*RESTART, READ is not known; known is WRITE"));
             }
@@ -214,6 +226,12 @@ impl Deck {
                 let (cell_type, is_variant) = solved(keyword.line, kind)?;
                 if self.mesh.cells().next().is_some_and(|(first, ..)| first.dimension() != cell_type.dimension()) {
                     return Err(Fault::new(keyword.line, "there are elements of the plane beside such of space"));
+                }
+                let other = open.elements.iter().find(|rows| is_ring(&rows.kind) != is_ring(kind));
+                if let Some(other) = other.filter(|_| cell_type.dimension() == 2) {
+                    let message =
+                        format!("elements of type {kind} beside {}: bodies of revolution and of the plane", other.kind);
+                    return Err(Fault::new(keyword.line, message));
                 }
                 if is_variant && !open.variants.iter().any(|(known, _)| known.eq_ignore_ascii_case(kind)) {
                     open.variants.push((kind.to_uppercase(), keyword.line));
@@ -248,10 +266,21 @@ impl Deck {
                 }
             }
             "CONTACT PAIR" => self.pairs.extend(PairRow::read(keyword, lines, &mut self.notes)?),
+            "CONTACT" => {
+                if let Some(first) = open.general.replace(GeneralRow::begin(keyword)?) {
+                    let message = format!("*CONTACT is there already, in line {}", first.line);
+                    return Err(Fault::new(keyword.line, message));
+                }
+            }
+            "CONTACT INCLUSIONS" | "CONTACT PROPERTY ASSIGNMENT" => match &mut open.general {
+                Some(row) => row.read(keyword, lines)?,
+                None => return Err(Fault::new(keyword.line, format!("*{name} stands behind no *CONTACT"))),
+            },
             "TIE" => self.ties.extend(TieRow::read(keyword, lines, &mut self.notes)?),
             "RIGID BODY" if !open.is_in_step => self.rigid.push(RigidRow::read_body(keyword, &scope, lines)?),
             "KINEMATIC COUPLING" if !open.is_in_step => self.rigid.extend(RigidRow::read_old(keyword, &scope, lines)?),
             "COUPLING" if !open.is_in_step => self.rigid.push(RigidRow::begin_coupling(keyword, &scope, lines)?),
+            "EQUATION" if !open.is_in_step => self.equations.extend(EquationRow::read(keyword, &scope, lines)?),
             "KINEMATIC" | "DISTRIBUTING" => match self.rigid.last_mut().filter(|row| row.keyword == "*COUPLING") {
                 Some(row) => row.read_kind(keyword, lines)?,
                 None => return Err(Fault::new(keyword.line, format!("*{name} stands behind no *COUPLING"))),

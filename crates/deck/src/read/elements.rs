@@ -12,9 +12,9 @@ pub(crate) struct ElementRow {
 }
 
 /// Types that are solved, up to their variants.
-const SOLVED: [&str; 15] = [
-    "CPE3", "CPE4", "CPE6", "CPE8", "CPS3", "CPS4", "CPS6", "CPS8", "C3D4", "C3D6", "C3D8", "C3D10", "C3D15", "C3D20",
-    "C3D27",
+const SOLVED: [&str; 19] = [
+    "CPE3", "CPE4", "CPE6", "CPE8", "CPS3", "CPS4", "CPS6", "CPS8", "CAX3", "CAX4", "CAX6", "CAX8", "C3D4", "C3D6",
+    "C3D8", "C3D10", "C3D15", "C3D20", "C3D27",
 ];
 
 /// The cell of an element type, and whether it is a variant that is integrated in full here.
@@ -29,9 +29,13 @@ pub(super) fn solved(line: usize, name: &str) -> Result<(CellType, bool), Fault>
         _ if upper.starts_with("R3D") => {
             refused("rigid surfaces have no inside: take a tool of solid elements and *RIGID BODY".to_owned())
         }
-        _ if upper.starts_with("CAX") => refused("axisymmetry is not known".to_owned()),
         _ => refused(format!("known are {}, with their variants R, I, H, M", SOLVED.join(", "))),
     }
+}
+
+/// Whether elements of a type are sections of bodies of revolution.
+pub(super) fn is_ring(name: &str) -> bool {
+    name.to_uppercase().starts_with("CAX")
 }
 
 /// Corners of the faces of a cell, in the order of `S1`, `S2`, …

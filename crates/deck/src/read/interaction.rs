@@ -19,7 +19,7 @@ pub(crate) struct Interaction {
     pressed_by: Option<usize>,
 }
 
-/// A contact pair, by the names of its surfaces.
+/// A contact pair, by the names of its surfaces; without names of all bodies, each with itself, too.
 #[derive(Clone, Debug)]
 pub(crate) struct PairRow {
     pub(crate) line: usize,
@@ -84,7 +84,7 @@ impl Interaction {
 
     fn read_behavior(&mut self, keyword: &Keyword, lines: &mut Lines, notes: &mut Vec<Note>) -> Result<(), Fault> {
         only(keyword, &["PRESSURE-OVERCLOSURE"])?;
-        one_of(keyword, "PRESSURE-OVERCLOSURE", &["HARD", "LINEAR", "TIED"])?;
+        one_of(keyword, "PRESSURE-OVERCLOSURE", &["HARD", "LINEAR", "EXPONENTIAL", "TIED"])?;
         if self.pressed_by.replace(keyword.line).is_some() {
             let message = format!("*SURFACE INTERACTION {} has two *SURFACE BEHAVIOR", self.name);
             return Err(Fault::new(keyword.line, message));
@@ -107,6 +107,8 @@ impl Interaction {
                 notes.push(Note::new(keyword.line, "TIED joins surfaces without a stiffness, as *TIE does"));
                 self.is_tied = true;
             }
+            "EXPONENTIAL" => notes
+                .push(Note::new(line, "EXPONENTIAL is taken as HARD: surfaces press when they touch, and not before")),
             _ if !is_used(0) => notes.push(Note::new(line, "*SURFACE BEHAVIOR uses no number with HARD")),
             _ => {}
         }
@@ -118,7 +120,8 @@ impl PairRow {
     /// Reads `*CONTACT PAIR`.
     pub(super) fn read(keyword: &Keyword, lines: &mut Lines, notes: &mut Vec<Note>) -> Result<Vec<Self>, Fault> {
         only(keyword, &["INTERACTION", "TYPE", "SMALL SLIDING", "ADJUST"])?;
-        one_of(keyword, "TYPE", &["NODE TO SURFACE", "SURFACE TO SURFACE"])?;
+        let mortar = ["MORTAR", "LINMORTAR", "PGLINMORTAR"];
+        one_of(keyword, "TYPE", &["NODE TO SURFACE", "SURFACE TO SURFACE", mortar[0], mortar[1], mortar[2]])?;
         let adjust = match keyword.value("ADJUST") {
             Some(text) if text.starts_with(|c: char| c.is_ascii_alphabetic() || c == '_') => {
                 let message = format!("*CONTACT PAIR, ADJUST={text} is not known: only a length, not a set of nodes");

@@ -1,5 +1,6 @@
 //! `*MATERIAL` and what belongs to it.
 
+use super::note::Note;
 use super::words::{at_most, one_of, only, only_line, present};
 use crate::Fault;
 use fmc_mesh_io::inp::{Keyword, Lines};
@@ -23,7 +24,7 @@ impl MaterialRow {
     }
 
     /// Reads a keyword that belongs to the material; `false` if it does not.
-    pub(super) fn read(&mut self, keyword: &Keyword, lines: &mut Lines) -> Result<bool, Fault> {
+    pub(super) fn read(&mut self, keyword: &Keyword, lines: &mut Lines, notes: &mut Vec<Note>) -> Result<bool, Fault> {
         match keyword.name.as_str() {
             "ELASTIC" => {
                 only(keyword, &["TYPE"])?;
@@ -63,6 +64,13 @@ impl MaterialRow {
                 if self.density.replace(density).is_some() {
                     return Err(Fault::new(keyword.line, format!("material {} has a density already", self.name)));
                 }
+            }
+            // *TEMPERATURE and *INITIAL CONDITIONS are refused.
+            "EXPANSION" | "CONDUCTIVITY" | "SPECIFIC HEAT" => {
+                while lines.data().is_some() {}
+                let message =
+                    format!("*{} of material {} is not used: there are no temperatures", keyword.name, self.name);
+                notes.push(Note::new(keyword.line, message));
             }
             "DEPVAR" | "USER MATERIAL" => return Err(Fault::new(keyword.line, "user materials are not known")),
             _ => return Ok(false),

@@ -5,7 +5,7 @@ use super::words::only;
 use crate::Fault;
 use fmc_mesh_io::Mesh;
 use fmc_mesh_io::inp::{Keyword, Lines, fields, label};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Nodes or elements.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -53,6 +53,8 @@ pub(crate) struct Names {
     /// Index in the mesh, by number of the instance and label.
     labels: BTreeMap<(Kind, Option<usize>, u64), usize>,
     sets: BTreeMap<(Kind, Scope, String), Vec<Member>>,
+    /// Sets that keep the order in which they are given.
+    unsorted: BTreeSet<(Kind, Scope, String)>,
 }
 
 /// Sets within sets, at most.
@@ -125,6 +127,9 @@ impl Names {
                 _ => return Err(Fault::new(line, "expected first, last and step of a set")),
             });
         }
+        if keyword.value("UNSORTED").is_some() {
+            self.unsorted.insert((kind, scope.clone(), name.to_uppercase()));
+        }
         self.extend(kind, scope, &name, members);
         Ok(())
     }
@@ -195,6 +200,31 @@ impl Names {
         found.sort_unstable();
         found.dedup();
         Ok(found)
+    }
+
+    /// The same in the order of labels, or for sets with `UNSORTED` in that of the file: how sets are taken that belong together.
+    pub(crate) fn find_in_order(
+        &self,
+        kind: Kind,
+        instance: Option<usize>,
+        name: &str,
+        line: usize,
+    ) -> Result<Vec<usize>, Fault> {
+        let sorted = self.find(kind, instance, name, line)?;
+        let (of, rest) = match instance {
+            None => self.split(name),
+            some => (some, name),
+        };
+        let mut scopes = self.scopes_of(of).into_iter();
+        if scopes.any(|scope| self.unsorted.contains(&(kind, scope, rest.to_uppercase()))) {
+            let (mut found, mut seen) = (Vec::new(), BTreeSet::new());
+            self.collect(kind, instance, name, line, 0, &mut found)?;
+            found.retain(|index| seen.insert(*index));
+            return Ok(found);
+        }
+        let is_found: BTreeSet<usize> = sorted.into_iter().collect();
+        let of_kind = self.labels.iter().filter(|((of, ..), index)| *of == kind && is_found.contains(index));
+        Ok(of_kind.map(|(_, &index)| index).collect())
     }
 
     fn collect(

@@ -1,7 +1,20 @@
-//! Requests of output: what is written does not depend on them.
+//! Requests of output, and numbers of solvers: what is written does not depend on them.
+
+/// Keywords that tell a solver how to iterate.
+const OF_SOLVERS: [&str; 4] = ["CONTROLS", "CONTACT CONTROLS", "SOLUTION TECHNIQUE", "PHYSICAL CONSTANTS"];
+
+/// What is said of a keyword that changes no result; none if it is not one.
+pub(super) fn unused(name: &str) -> Option<&'static str> {
+    match name {
+        "TIME POINTS" => Some("results are those of the ends of steps"),
+        _ if OF_SOLVERS.contains(&name) => Some("the search uses none of its numbers"),
+        _ if REQUESTS.contains(&name) => Some("files and tables do not depend on it"),
+        _ => None,
+    }
+}
 
 /// Keywords that ask for results.
-pub(super) const REQUESTS: [&str; 19] = [
+const REQUESTS: [&str; 19] = [
     "NODE PRINT",
     "NODE FILE",
     "EL PRINT",

@@ -52,9 +52,13 @@ pub fn step_table(step: &StepResult) -> String {
         line("", format!("{}  and its moment", vector(moment)));
     }
     for pair in pairs {
-        let kind = if pair.is_tied { "tied" } else { "contact" };
-        let rest =
-            format!("{}  {kind}, area {:.6e}, mean pressure {:.6e}", vector(&pair.force), pair.area, pair.pressure);
+        let size = pair.force.iter().map(|f| f * f).sum::<f64>().sqrt();
+        // Ties pull, too.
+        let (kind, by_area) = match pair.is_tied {
+            true => ("tied", format!("force by area {:.6e}", if pair.area > 0.0 { size / pair.area } else { 0.0 })),
+            false => ("contact", format!("mean pressure {:.6e}", pair.pressure)),
+        };
+        let rest = format!("{}  {kind}, area {:.6e}, {by_area}", vector(&pair.force), pair.area);
         line(&name_of(pair), rest);
     }
     for TieResult { names: [a, b], reach, area, gap, nodes, facets } in ties {

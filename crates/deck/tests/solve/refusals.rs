@@ -29,8 +29,8 @@ fn what_is_not_known_is_named_by_its_line() {
         ("UTOP, P3, 10.", "UTOP, P1, 10.", "inside of a body"),
         ("UTOP, P3, 10.", "UTOP, P3NU, 10.", "a load 'P3NU' is not known"),
         ("*DLOAD", "*DLOAD, AMPLITUDE=UP", "there is no amplitude 'UP'"),
-        ("*BOUNDARY", "*EQUATION", "*EQUATION is not known"),
-        ("TYPE=CPE4", "TYPE=CAX4", "axisymmetry is not known"),
+        ("*BOUNDARY", "*EQUATION", "expected the number of terms of an equation"),
+        ("*BOUNDARY", "*MPC\nBEAM, 1, 2\n*BOUNDARY", "*MPC is not known"),
         ("TYPE=CPE4", "TYPE=M3D4", "membranes are not known"),
         ("SUPPER, SLOWER", "SUPPER, SUPPER2\n*SURFACE, NAME=SUPPER2\nUTOP", "are surfaces of one body"),
         // Faces that an element does not have.
@@ -68,8 +68,8 @@ fn what_is_not_known_is_named_by_its_line() {
         ("NAME=PRESS", "NAME=PRESS\n*FRICTION\n0.1, 0., 5.", "may not depend on anything"),
         (
             "NAME=PRESS",
-            "NAME=PRESS\n*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=EXPONENTIAL\n1., 1.",
-            "known are HARD, LINEAR, TIED",
+            "NAME=PRESS\n*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=TABULAR\n1., 1.",
+            "known are HARD, LINEAR, EXPONENTIAL, TIED",
         ),
         (
             "NAME=PRESS",
@@ -91,6 +91,19 @@ fn what_is_not_known_is_named_by_its_line() {
             "*SOLID SECTION, ELSET=UPPER, MATERIAL=M2\n*MATERIAL, NAME=M2\n*ELASTIC\n1., 0.\n*SOLID SECTION",
             "has another material by the section of line",
         ),
+        ("*CONTACT PAIR", "*CONTACT\n*CONTACT PAIR", "*CONTACT has no *CONTACT PROPERTY ASSIGNMENT"),
+        (
+            "*CONTACT PAIR",
+            "*CONTACT\n*CONTACT PROPERTY ASSIGNMENT\n, , PRESS\n*CONTACT PAIR",
+            "*CONTACT includes nothing",
+        ),
+        (
+            "*CONTACT PAIR",
+            "*CONTACT\n*CONTACT PROPERTY ASSIGNMENT\nSUPPER, SLOWER, PRESS\n*CONTACT PAIR",
+            "is known with one interaction of all",
+        ),
+        ("*CONTACT PAIR", "*CONTACT INCLUSIONS, ALL EXTERIOR\n*CONTACT PAIR", "stands behind no *CONTACT"),
+        ("*CONTACT PAIR", "*CONTACT EXCLUSIONS\n*CONTACT PAIR", "*CONTACT EXCLUSIONS is not known"),
         ("*STEP", "*RESTART, READ\n*STEP", "*RESTART, READ is not known"),
         // What would be passed over, or would count twice.
         ("*STATIC", "*STATIC\n1., 1.\n2., 2.", "*STATIC has a data line more than is known"),

@@ -120,3 +120,31 @@ fn planes_of_symmetry_are_found() {
     println!("{found:?}");
     assert!(found[0] < 0.5 * found[1] && found[2] > 0.7 * found[3], "{found:?}");
 }
+
+/// A tie that pulls has a force by area, and no pressure; without supports its bodies are not separated from one another.
+#[test]
+fn ties_that_pull_say_so() {
+    let tied = squares()
+        .replace("*CONTACT PAIR, INTERACTION=RUB\n", "*TIE, NAME=T\n")
+        .replace("UPPER, P3, 10.", "UPPER, P3, -10.");
+    let outcome = solved_text::<2>("pulled", &tied);
+    let table = step_table(&outcome.steps[0]);
+    // The residual of 1e-9 is below the digits.
+    assert!(
+        table.contains("tied, area 1.000000e0, force by area 1.000000e1") && !table.contains("pressure"),
+        "{table}"
+    );
+    let loose = tied.replace("1, 1, 2\n2, 1, 2\n", "1, 1\n2, 1\n");
+    assert_ne!(loose, tied);
+    let file = std::env::temp_dir().join(format!("fmc-deck-loose-{}.inp", std::process::id()));
+    std::fs::write(&file, loose).unwrap();
+    let deck = Deck::read(&file).unwrap();
+    std::fs::remove_file(file).unwrap();
+    let analysis = Analysis::<2>::new(&deck, SolveOptions::default()).unwrap();
+    let ended = analysis.solve(&mut |_, _| ControlFlow::Continue(()), &mut |_, _| Ok(())).unwrap();
+    let said = match ended {
+        fmc_deck::Solved::Failed(1, error) => error.to_string(),
+        other => format!("{other:?}"),
+    };
+    assert!(!said.contains("separated") && said.contains("is not supported"), "{said}");
+}

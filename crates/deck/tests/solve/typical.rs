@@ -1,0 +1,52 @@
+//! What files of other programs have, as Abaqus/CAE, PrePoMax and FreeCAD write them.
+
+use crate::scene::{said, solved_text};
+use fmc_deck::{Analysis, Deck, SolveOptions};
+
+fn squares() -> String {
+    let page = include_str!("../../../../docs/solve.md");
+    page.split("```text\n").find(|block| block.starts_with("*NODE")).unwrap().split("```").next().unwrap().to_owned()
+}
+
+/// Contact of all bodies with one another is that of the only pair: the same bits, since squares do not touch themselves.
+#[test]
+fn general_contact_is_the_contact_of_all_pairs() {
+    let pair = "*CONTACT PAIR, INTERACTION=RUB\nBOTTOM_OF_UPPER, TOP_OF_LOWER\n";
+    let by_pair = solved_text::<2>("pair", &squares());
+    assert!(squares().contains(pair));
+    for inclusions in [", ALL EXTERIOR", "\nBOTTOM_OF_UPPER, TOP_OF_LOWER"] {
+        let general = format!("*CONTACT\n*CONTACT INCLUSIONS{inclusions}\n*CONTACT PROPERTY ASSIGNMENT\n ,  , RUB\n");
+        let by_all = solved_text::<2>("general", &squares().replace(pair, &general));
+        assert_eq!(by_all.displacement, by_pair.displacement, "{inclusions}");
+    }
+    let nothing = squares().replace(pair, "");
+    let said = said(&nothing, "without.inp");
+    assert_eq!(said, "nothing");
+}
+
+/// What changes no result here is told once, at its line.
+#[test]
+fn keywords_that_change_nothing_are_told() {
+    let text = squares()
+        .replace("*ELASTIC\n", "*EXPANSION, ZERO=20.\n1.2e-5\n*CONDUCTIVITY\n14.\n*SPECIFIC HEAT\n440.\n*ELASTIC\n")
+        .replace("*FRICTION", "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=EXPONENTIAL\n1e-3, 1.\n*FRICTION")
+        .replace("INTERACTION=RUB\n", "INTERACTION=RUB, TYPE=MORTAR\n")
+        .replace("*STEP\n", "*TIME POINTS, NAME=T\n0.5, 1.\n*STEP\n")
+        .replace("*DLOAD", "*CONTROLS, PARAMETERS=FIELD\n0.01, 0.02\n*DLOAD");
+    let file = std::env::temp_dir().join(format!("fmc-deck-typical-{}.inp", std::process::id()));
+    std::fs::write(&file, text).unwrap();
+    let deck = Deck::read(&file).unwrap();
+    std::fs::remove_file(file).unwrap();
+    let notes = Analysis::<2>::new(&deck, SolveOptions::default()).unwrap().notes;
+    let messages: Vec<&str> = notes.iter().map(|note| note.message.as_str()).collect();
+    for expected in [
+        "*EXPANSION of material RUBBER is not used: there are no temperatures",
+        "*CONDUCTIVITY of material RUBBER is not used: there are no temperatures",
+        "*SPECIFIC HEAT of material RUBBER is not used: there are no temperatures",
+        "EXPONENTIAL is taken as HARD: surfaces press when they touch, and not before",
+        "*TIME POINTS: results are those of the ends of steps",
+        "*CONTROLS: the search uses none of its numbers",
+    ] {
+        assert!(messages.contains(&expected), "{expected}: {messages:?}");
+    }
+}
