@@ -2794,7 +2794,7 @@ typedef struct {
   uint64_t reserved[3];
 } fmc_gradients;
 
-// Derivatives by what one pair has; 0 for what was not asked for.
+// Derivatives by what one pair has; 0 for what was not asked for. For `fmc_context_jvp` rates of this.
 typedef struct {
   // Size of this struct, as the library wrote it.
   size_t struct_size;
@@ -2815,6 +2815,39 @@ typedef struct {
   // Zero.
   uint64_t reserved[4];
 } fmc_pair_gradient;
+
+// Along what `fmc_context_jvp` differentiates: rates of what energy and forces depend on, all summed. What is NULL, or 0, rests. With n
+// rows of `coords` and m obstacles, removed ones included, all in dense rows; units are those of the parameter by one that the host
+// chooses, such as a time.
+//
+// New fields take the place of reserved ones; the size of the struct does not change.
+typedef struct {
+  // Set by `fmc_directions_init`, so that a struct that was not initialised is recognised.
+  size_t struct_size;
+  // Of the coordinates: n * dim numbers.
+  const double *coords;
+  // Of the position of every obstacle: m * dim numbers.
+  const double *positions;
+  // Of a rotation vector of every obstacle about its position: m * 3 numbers; in 2D only the last of three counts.
+  const double *rotations;
+  // Of the stiffness k of every pair that touches.
+  double stiffness;
+  // Of the gap offset of every pair that touches.
+  double gap_offset;
+  // Of the coefficient of friction of every pair that touches.
+  double friction;
+  // Of single pairs, in addition: structs as `fmc_context_vjp` writes them, with rates in the place of derivatives. A pair that does not
+  // touch does nothing.
+  const fmc_pair_gradient *pairs;
+  // How many there are.
+  size_t pair_count;
+  // Of the elastic slip carried into the step: rows as `fmc_context_slip` writes them, of which the last number is not read.
+  const double *slip;
+  // How many numbers these are.
+  size_t slip_count;
+  // Zero. Room for what later versions know.
+  uint64_t reserved[4];
+} fmc_directions;
 
 // Asks for nothing: all pointers NULL.
 //
@@ -3151,7 +3184,7 @@ fmc_status fmc_gradients_init(fmc_gradients *gradients);
 // bodies. By gap offset: of frictional forces; by stiffness: of these with cohesion or a shear limit, or frozen. By slip: with static
 // friction, or frozen; of the slip at the end of the step: by coordinates, poses and gap offsets. By gap offsets: of pairs other than
 // bodies with half-spaces. By the coefficient of friction: where it is 0, and with static friction, cohesion or a shear limit. By
-// rotations: with the law "fiber". Nothing is written then. Threads: one call at a time on a context.
+// rotations: with the law "fiber", and with axisymmetry. Nothing is written then. Threads: one call at a time on a context.
 fmc_status fmc_context_vjp(fmc_context *context,
                            const fmc_coords *coords,
                            double energy,
@@ -3160,6 +3193,28 @@ fmc_status fmc_context_vjp(fmc_context *context,
                            fmc_pair_gradient *pairs,
                            size_t capacity,
                            size_t *count);
+
+// All rates 0.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`. Threads: any, on different structs.
+fmc_status fmc_directions_init(fmc_directions *directions);
+
+// Rates of energy and nodal forces at `coords` along rates of what they depend on: the transpose of `fmc_context_vjp`. With the same
+// parameters moved by d, energy * `energy` + adjoint . `forces` here is d times the derivatives there. Friction is no part of the energy;
+// the slip at the start of the step moves only as `directions` says.
+//
+// `energy` becomes the rate of the contact energy; `forces` has room for n * dim numbers, the rates of the force on every node in dense
+// rows. Either may be NULL.
+//
+// Errors: as `fmc_context_vjp` with an adjoint, for what moves; `FMC_ERROR_LENGTH`, `FMC_ERROR_NON_FINITE_STIFFNESS` with the place of a rate,
+// `FMC_ERROR_STRUCT_SIZE`, `FMC_ERROR_RESERVED_FIELD`; `FMC_ERROR_INDEX_OUT_OF_RANGE` for a pair that there is not; for `slip` as
+// `fmc_context_set_slip`. There are no rates along coordinates without deformation. Nothing is written then. Threads: one call at a time on
+// a context.
+fmc_status fmc_context_jvp(fmc_context *context,
+                           const fmc_coords *coords,
+                           const fmc_directions *directions,
+                           double *energy,
+                           double *forces);
 
 // ---- Wear ------------------------------------------------------------------------------------------------
 

@@ -29,7 +29,7 @@ pub use crate::interfaces::{
 };
 pub use changes::Adjustment;
 pub use cohesive::{CohesivePoint, CohesiveSummary};
-pub use derivatives::{GradientRequest, Gradients, PairGradient};
+pub use derivatives::{Directions, GradientRequest, Gradients, PairGradient, Slopes};
 pub use equilibrium::{Augmentation, CondensedBodies, ContactStep, ContactStepOptions, ContactStepState, Place};
 pub use evaluation::Contact;
 pub(crate) use evaluation::{Needed, hash_in_common, needed};

@@ -754,6 +754,21 @@ module fmc_contact_c
     integer(c_int64_t) :: reserved(4)
   end type
 
+  type, bind(c) :: fmc_directions
+    integer(c_size_t) :: struct_size
+    type(c_ptr) :: coords
+    type(c_ptr) :: positions
+    type(c_ptr) :: rotations
+    real(c_double) :: stiffness
+    real(c_double) :: gap_offset
+    real(c_double) :: friction
+    type(c_ptr) :: pairs
+    integer(c_size_t) :: pair_count
+    type(c_ptr) :: slip
+    integer(c_size_t) :: slip_count
+    integer(c_int64_t) :: reserved(4)
+  end type
+
   type, bind(c) :: fmc_communicator
     integer(c_size_t) :: struct_size
     integer(c_int32_t) :: rank
@@ -1772,6 +1787,20 @@ module fmc_contact_c
       integer(c_size_t), value :: capacity
       integer(c_size_t), intent(inout), optional :: count
       integer(c_int32_t) :: fmc_context_vjp
+    end function
+    function fmc_directions_init(directions) bind(c)
+      import
+      type(fmc_directions), intent(inout), optional :: directions
+      integer(c_int32_t) :: fmc_directions_init
+    end function
+    function fmc_context_jvp(context, coords, directions, energy, forces) bind(c)
+      import
+      type(c_ptr), value :: context
+      type(fmc_coords), intent(in), optional :: coords
+      type(fmc_directions), intent(in), optional :: directions
+      real(c_double), intent(inout), optional :: energy(*)
+      real(c_double), intent(inout), optional :: forces(*)
+      integer(c_int32_t) :: fmc_context_jvp
     end function
     function fmc_context_set_pair_wear(context, a_kind, a, b_kind, b, wear_a, wear_b) bind(c)
       import

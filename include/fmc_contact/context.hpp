@@ -410,6 +410,14 @@ class Context : public AddsShapes<Context> {
       return pairs;
     }
   }
+  // Rates of energy and forces along those of what they depend on, see `fmc_context_jvp`.
+  Slopes jvp(Coords coords, const Directions& along) {
+    const auto x = coords.as_c(dim_);
+    Slopes found;
+    found.forces.resize(x.node_count * axes());
+    call(fmc_context_jvp(get(), &x, &along, &found.energy, found.forces.data()));
+    return found;
+  }
   std::vector<fmc_contact_point> contact_points(Coords coords) {
     const auto x = coords.as_c(dim_);
     return found<fmc_contact_point>([&](auto... room) { return fmc_context_contact_points(get(), &x, room...); });

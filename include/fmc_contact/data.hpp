@@ -85,6 +85,17 @@ struct Gradients : fmc_gradients {
   Gradients() : fmc_gradients() { check(fmc_gradients_init(this)); }
 };
 
+// Along what the contact is differentiated: rates, all 0 at first.
+struct Directions : fmc_directions {
+  Directions() : fmc_directions() { check(fmc_directions_init(this)); }
+};
+
+// What energy and nodal forces change by.
+struct Slopes {
+  double energy = 0;
+  std::vector<double> forces;
+};
+
 // When a contact step ends.
 struct ContactStepOptions : fmc_contact_step_options {
   ContactStepOptions() : fmc_contact_step_options() { check(fmc_contact_step_options_init(this)); }

@@ -8,6 +8,7 @@ pub(super) mod cohesive;
 pub(super) mod conductance;
 pub(super) mod contact_point;
 pub(super) mod csr;
+pub(super) mod directions;
 pub(super) mod equilibrium;
 pub(super) mod equilibrium_result;
 pub(super) mod evaluation;

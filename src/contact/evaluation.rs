@@ -3,7 +3,7 @@
 //! `parts` (the parts of a contact) · `bring`, `state` (the bodies at the coordinates, and what is remembered of them) · `walk` (which pairs may
 //! overlap, and on which threads they are measured) · `needed`, `gathered` (of some cells of a larger mesh: where none may be
 //! missing; `layer`: how near) · `sliding` (how a pair slides), `slip_facets` (where) · `measured` (what laws and friction answer) ·
-//! `gradients` (derivatives) · `flux`, `friction_heat` (of scalar fields) · `worn_off` (what sliding wears off) · `kernels` (the evaluations, compiled for 2D and for 3D) · `agreed` (what ranks must have
+//! `gradients` (derivatives) · `slopes` (along a direction) · `flux`, `friction_heat` (of scalar fields) · `worn_off` (what sliding wears off) · `kernels` (the evaluations, compiled for 2D and for 3D) · `agreed` (what ranks must have
 //! in common)
 
 mod agreed;
@@ -21,6 +21,7 @@ mod parts;
 mod points;
 mod sliding;
 mod slip_facets;
+mod slopes;
 mod state;
 mod walk;
 mod worn_off;

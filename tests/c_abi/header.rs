@@ -101,6 +101,7 @@ pub(crate) const SECTIONS: [Section; 21] = [
             "calls/mesh/boundary_facets",
             "calls/mesh/point_weights",
             "structs/gradients",
+            "structs/directions",
             "calls/results/gradients",
         ],
     ),

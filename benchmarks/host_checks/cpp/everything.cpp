@@ -235,6 +235,14 @@ void forces_and_getters() {
   double pushed = 0;
   for (std::size_t n = 4; n < 8; ++n) pushed += forces[2 * n];
   EXPECT(by_pair.size() == 1 && close(by_pair[0].stiffness * contact.options().stiffness, pushed, 1e-9));
+  // The transpose: along the lift energy rises by minus what pushes, forces grow with the stiffness.
+  fmc::Directions along;
+  along.coords = lift.data();
+  EXPECT(close(contact.jvp(coords, along).energy, -pushed, 1e-9));
+  along = fmc::Directions();
+  along.pairs = by_pair.data(), along.pair_count = by_pair.size();
+  const auto rates = contact.jvp(coords, along);
+  for (std::size_t k = 0; k < 16; ++k) EXPECT(close(rates.forces[k] * contact.options().stiffness, by_pair[0].stiffness * forces[k], 1e-9));
 
   // Moved out by what it penetrates, the square presses twice as much; moved back, as before.
   const auto moved_out = contact.augment(coords, 1e-9);

@@ -2,8 +2,8 @@
 
 import numpy as np
 import pytest
-from fmc_contact import Contact, Pose
-from fmc_contact.errors import UnsupportedError
+from fmc_contact import Contact, PairGradient, Pose
+from fmc_contact.errors import IndexOutOfRangeError, LengthError, UnsupportedError
 from test_gradients import SCENES, STEP, WITHIN, contact_of, obstacle_scene, plane
 
 
@@ -87,12 +87,39 @@ def test_what_is_not_known_is_refused():
         contact.jvp(coords, np.ones_like(coords))
     with pytest.raises(ValueError, match="motion has shape"):
         contact.jvp(coords, np.ones(3))
-    own = contact_of(reference, cells)
-    own.pairs.set(0, 1, law="depth", stiffness=20.0)
-    with pytest.raises(UnsupportedError, match="not all pairs have"):
-        own.jvp(coords, stiffness=1.0)
+    pair = PairGradient(("body", 0), ("wall", 1), stiffness=1.0)
+    with pytest.raises(ValueError, match="partner 'wall', expected body, obstacle"):
+        contact.jvp(coords, pairs=[pair])
+    with pytest.raises(IndexOutOfRangeError, match="row 0 of the pairs"):
+        contact.jvp(coords, pairs=[PairGradient(("body", 0), ("body", 7), stiffness=1.0)])
+    with pytest.raises(LengthError, match="slip"):
+        contact.jvp(coords, slip=np.zeros((2, 5)))
     nothing = contact_of(reference, cells).jvp(coords)
     assert nothing.energy == 0 and not nothing.forces.any()
+
+
+def test_by_what_single_pairs_have():
+    reference, cells, coords = plane()
+    contact = contact_of(reference, cells)
+    contact.pairs.set(0, 1, law="depth", stiffness=20.0)
+    forces = contact.evaluate(coords).forces
+    own = PairGradient(("body", 0), ("body", 1), stiffness=3.0)
+    assert np.abs(contact.jvp(coords, stiffness=1.0, pairs=[own]).forces - forces * 4.0 / 20.0).max() < 1e-12
+
+
+def test_by_friction():
+    reference, cells, coords = plane()
+    contact = contact_of(reference, cells, friction_coefficient=0.3)
+    contact.friction.begin_step(coords)
+    dragged = coords + [[0.01 * (y > 0.1), 0.0] for _, y in coords]
+    contact.friction.commit_step(dragged)
+    rows = contact.vjp(dragged, np.zeros(coords.shape), by=["slip"]).slip
+    rows[:, 4:6] = np.random.default_rng(3).uniform(-1, 1, (len(rows), 2))
+    adjoint = np.random.default_rng(7).uniform(-1, 1, coords.shape)
+    back = contact.vjp(dragged, adjoint, by=["slip", "friction"])
+    rates = contact.jvp(dragged, friction=0.4, slip=rows)
+    along = (back.slip[:, 4:6] * rows[:, 4:6]).sum() + 0.4 * sum(pair.friction for pair in back.pairs)
+    assert along != 0 and (adjoint * rates.forces).sum() == pytest.approx(along, rel=1e-12)
 
 
 @pytest.mark.parametrize("wrong", [np.nan, np.inf])
@@ -106,6 +133,7 @@ def test_rates_that_are_no_numbers_are_named(wrong):
         ({"positions": [(0.0, wrong)]}, r"positions\[0, 1\]"),
         ({"rotations": [(0.0, 0.0, wrong)]}, r"rotations\[0, 2\]"),
         ({"stiffness": wrong}, "stiffness"),
+        ({"friction": wrong}, "friction"),
     ):
         with pytest.raises(ValueError, match=f"{place} is {wrong}, expected finite numbers"):
             contact.jvp(coords, **rates)

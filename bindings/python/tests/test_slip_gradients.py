@@ -157,6 +157,11 @@ def test_rates_by_the_stiffness():
     contact, coords, _ = begun(grid_scene, 0.02)
     rates = contact.jvp(coords, stiffness=2.0)
     assert np.abs(rates.forces - contact.evaluate(coords).forces / 15.0).max() < 1e-12
+    # With a stiffness of its own the stick stays as stiff, and limits grow.
     contact.set_options(friction_stiffness=20.0)
-    with pytest.raises(UnsupportedError, match="friction_stiffness of its own"):
-        contact.jvp(coords, stiffness=2.0)
+    rates, ends = contact.jvp(coords, stiffness=2.0), []
+    for by in (STEP, -STEP):
+        contact.set_options(stiffness=30.0 + 2.0 * by)
+        ends.append(contact.evaluate(coords).forces)
+    expected = (ends[0] - ends[1]) / (2 * STEP)
+    assert np.abs(rates.forces - expected).max() < 1e-7 * np.abs(expected).max()

@@ -42,7 +42,26 @@ impl Host {
                     fmc_context_vjp(self.context, coords, 1.0, none.cast(), &raw const to, at, room, &raw mut count);
                 assert_eq!(checked(ask), OK);
                 assert!(pairs.values().iter().all(|pair| pair.struct_size == size_of::<fmc_pair_gradient>()));
+                self.along(&raw const view, &pairs.values(), n);
             }
+        }
+    }
+
+    /// Rates along the coordinates, as motion, and along what was found of pairs; all outputs stay where a rate is not known.
+    unsafe fn along(&mut self, coords: *const fmc_coords, pairs: &[fmc_pair_gradient], n: usize) {
+        let forces = Guarded::new(&vec![f64::from_bits(CANARY); n]);
+        // SAFETY: as in `gradients`; the motion has as many numbers as the coordinates.
+        unsafe {
+            let (mut to, mut energy): (fmc_directions, f64) = (std::mem::zeroed(), f64::from_bits(CANARY));
+            let ask = fmc_context_jvp(self.context, coords, &raw const to, &raw mut energy, forces.ptr());
+            assert_ne!(checked(ask), OK);
+            assert_eq!(checked(fmc_directions_init(&raw mut to)), OK);
+            to.coords = self.mesh.coords.as_ptr();
+            (to.pairs, to.pair_count) = (pairs.as_ptr(), pairs.len());
+            let ask = fmc_context_jvp(self.context, coords, &raw const to, &raw mut energy, forces.ptr());
+            let is_ok = checked(ask) == OK;
+            assert_eq!(energy.to_bits() != CANARY, is_ok);
+            assert!(forces.values().iter().all(|x| (x.to_bits() != CANARY) == is_ok));
         }
     }
 }

@@ -871,6 +871,23 @@ pub struct fmc_pair_gradient {
 }
 
 #[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct fmc_directions {
+    pub struct_size: usize,
+    pub coords: *const f64,
+    pub positions: *const f64,
+    pub rotations: *const f64,
+    pub stiffness: f64,
+    pub gap_offset: f64,
+    pub friction: f64,
+    pub pairs: *const fmc_pair_gradient,
+    pub pair_count: usize,
+    pub slip: *const f64,
+    pub slip_count: usize,
+    pub reserved: [u64; 4],
+}
+
+#[repr(C)]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct fmc_communicator {
     pub struct_size: usize,
@@ -1063,6 +1080,8 @@ unsafe extern "C" {
     pub fn fmc_context_point_weights(context: *const fmc_context, row_offsets: *mut c_void, offset_capacity: usize, offset_count: *mut usize, nodes: *mut c_void, weights: *mut f64, capacity: usize, count: *mut usize) -> fmc_status;
     pub fn fmc_gradients_init(gradients: *mut fmc_gradients) -> fmc_status;
     pub fn fmc_context_vjp(context: *mut fmc_context, coords: *const fmc_coords, energy: f64, adjoint: *const fmc_coords, gradients: *const fmc_gradients, pairs: *mut fmc_pair_gradient, capacity: usize, count: *mut usize) -> fmc_status;
+    pub fn fmc_directions_init(directions: *mut fmc_directions) -> fmc_status;
+    pub fn fmc_context_jvp(context: *mut fmc_context, coords: *const fmc_coords, directions: *const fmc_directions, energy: *mut f64, forces: *mut f64) -> fmc_status;
     pub fn fmc_context_set_pair_wear(context: *mut fmc_context, a_kind: i32, a: usize, b_kind: i32, b: usize, wear_a: f64, wear_b: f64) -> fmc_status;
     pub fn fmc_context_pair_wear(context: *const fmc_context, a_kind: i32, a: usize, b_kind: i32, b: usize, wear_a: *mut f64, wear_b: *mut f64) -> fmc_status;
     pub fn fmc_context_worn_depth(context: *const fmc_context, depth: *mut f64, capacity: usize, count: *mut usize) -> fmc_status;

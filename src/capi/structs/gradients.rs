@@ -113,7 +113,7 @@ impl fmc_gradients {
     }
 }
 
-/// Derivatives by what one pair has; 0 for what was not asked for.
+/// Derivatives by what one pair has; 0 for what was not asked for. For `fmc_context_jvp` rates of this.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct fmc_pair_gradient {

@@ -45,7 +45,7 @@ pub(crate) fn add_answers<const D: usize>(
         if request.needs_tangent() {
             check_smooth(pair, energy.overlap.fiber_count > 0, (partners, method), state, !a.is_empty())?;
         }
-        let mut of_pair = PairGradient { partners: pair, stiffness: 0.0, gap_offset: 0.0, friction: 0.0 };
+        let mut of_pair = PairGradient::new(pair);
         for (&node, g) in energy.nodes.iter().zip(&energy.gradient) {
             (0..D).for_each(|i| sums[node as usize][i] += seeds.energy * g[i]);
         }
@@ -70,12 +70,7 @@ pub(crate) fn add_answers<const D: usize>(
             return Err(Error::Unsupported { what: "the derivative by the gap offset between bodies" });
         }
         if request.stiffness {
-            // What friction adds comes from its sliders.
-            if rubs && state.is_frozen && seeds.reaches_friction() {
-                return Err(Error::Unsupported {
-                    what: "the derivative of frictional forces by the stiffness of a pair while friction is frozen",
-                });
-            }
+            check_stiffness(rubs && seeds.reaches_friction(), state)?;
             let moved = energy.nodes.iter().zip(&energy.gradient);
             let along: f64 =
                 moved.map(|(&node, g)| a.get(node as usize).map_or(0.0, |a| g.dot(&Vector::from(*a)))).sum();
@@ -109,37 +104,53 @@ fn by_coefficient<const D: usize>(
     seeds: &Seeds<D>,
 ) -> Result<f64, Error> {
     let a = seeds.forces.unwrap_or(&[]);
-    let friction = partners.friction_of(pair, method.options());
     if !seeds.reaches_friction() {
         return Ok(0.0);
     }
-    if partners.friction_law(pair).is_some() {
-        return Err(Error::Unsupported {
-            what: "the derivative by a coefficient of friction of your own law of friction",
-        });
-    }
-    if friction.coefficient.is_infinite() {
-        return Err(Error::Unsupported { what: "the derivative by an infinite coefficient of friction" });
-    }
-    if friction.coefficient <= 0.0 {
-        let what = "the derivative by a coefficient of friction of 0, at which the slip of the step is not known";
-        return Err(Error::Unsupported { what });
-    }
-    if partners.orthotropy_of(pair, method.options()).is_some() {
-        return Err(Error::Unsupported { what: "the derivative by a coefficient of friction along a direction" });
-    }
-    if friction.at_rest.is_some() || friction.cohesion != 0.0 || friction.shear_limit.is_finite() {
-        let what = "the derivative by the coefficient of friction with static friction, cohesion or a shear limit";
-        return Err(Error::Unsupported { what });
-    }
+    let coefficient = check_coefficient(pair, (partners, method))?;
     let limited = tractions.iter().filter(|traction| traction.partners == *pair).flat_map(|traction| &traction.limited);
     let along = limited.filter_map(|(node, force)| Some(force.dot(&Vector::from(*a.get(*node as usize)?))));
-    Ok(along.sum::<f64>() / friction.coefficient)
+    Ok(along.sum::<f64>() / coefficient)
+}
+
+/// The coefficient of a pair, to which the limits of its friction are in proportion.
+pub(super) fn check_coefficient<const D: usize>(
+    pair: &[Partner; 2],
+    (partners, method): (&Partners<D>, &Method<D>),
+) -> Result<f64, Error> {
+    let (friction, refused) = (partners.friction_of(pair, method.options()), |what| Err(Error::Unsupported { what }));
+    if partners.friction_law(pair).is_some() {
+        return refused("the derivative by a coefficient of friction of your own law of friction");
+    }
+    if friction.coefficient.is_infinite() {
+        return refused("the derivative by an infinite coefficient of friction");
+    }
+    if friction.coefficient <= 0.0 {
+        return refused("the derivative by a coefficient of friction of 0, at which the slip of the step is not known");
+    }
+    if partners.orthotropy_of(pair, method.options()).is_some() {
+        return refused("the derivative by a coefficient of friction along a direction");
+    }
+    if friction.at_rest.is_some() || friction.cohesion != 0.0 || friction.shear_limit.is_finite() {
+        return refused(
+            "the derivative by the coefficient of friction with static friction, cohesion or a shear limit",
+        );
+    }
+    Ok(friction.coefficient)
+}
+
+/// What friction adds by the stiffness of a pair comes from its sliders, of which there are none while it is frozen.
+pub(super) fn check_stiffness(rubs: bool, state: &State) -> Result<(), Error> {
+    if rubs && state.is_frozen {
+        let what = "the derivative of frictional forces by the stiffness of a pair while friction is frozen";
+        return Err(Error::Unsupported { what });
+    }
+    Ok(())
 }
 
 /// Refuses a pair whose forces are not the gradient of its energy, and, where forces are differentiated, one whose tangent is not their
 /// derivative.
-fn check_smooth<const D: usize>(
+pub(super) fn check_smooth<const D: usize>(
     pair: [Partner; 2],
     is_sampled: bool,
     (partners, method): (&Partners<D>, &Method<D>),
@@ -170,7 +181,7 @@ fn check_smooth<const D: usize>(
 }
 
 /// The direction in which the surface of a half-space moves as a gap offset grows.
-fn normal_of_half_space<const D: usize>(
+pub(super) fn normal_of_half_space<const D: usize>(
     partners: &Partners<D>,
     obstacle: usize,
     is_rubbed: bool,

@@ -40,6 +40,13 @@ pub struct PairGradient {
     pub friction: f64,
 }
 
+impl PairGradient {
+    /// Of a pair, all 0: rates to be set, for [`Directions::pairs`](crate::contact::Directions::pairs).
+    pub const fn new(partners: [Partner; 2]) -> Self {
+        Self { partners, stiffness: 0.0, gap_offset: 0.0, friction: 0.0 }
+    }
+}
+
 impl<const D: usize> Gradients<D> {
     /// These, if all are finite.
     pub(crate) fn checked(self) -> Result<Self, Error> {

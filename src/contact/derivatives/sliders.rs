@@ -11,10 +11,13 @@
 //!
 //! By the stiffness k of a law: limits grow with it, and k_T where that is k. Then q is k times a function of s, and s₁ does not change.
 
+use super::directions::Along;
 use super::gradients::Gradients;
 use super::request::{GradientRequest, Seeds};
 use crate::Error;
-use crate::contact::friction::{CarriedSlip, SliderName, SlipFacets, Stick, carried_slip, list_slip};
+use crate::contact::friction::{
+    CarriedSlip, SliderName, SlipFacet, SlipFacets, Stick, Traction, carried_slip, list_slip,
+};
 use crate::contact::method::Method;
 use crate::contact::partners::Partners;
 use crate::geometry::Vector;
@@ -49,13 +52,8 @@ pub(crate) fn add_sliders<const D: usize>(
                 (Stick::Spring(stiffness), Some(b)) => Vector::from_fn(|i, _| sign * b[i] / stiffness),
                 _ => Vector::zeros(),
             };
-            // An infinite limit is met by nothing.
-            let limited = if traction.slides || !is_spring(facet.slider.stick) {
-                traction.by_limit * facet.slider.limit
-            } else {
-                Vector::zeros()
-            };
-            stiffness += match is_of_law || !is_spring(facet.slider.stick) {
+            let limited = limited(facet, &traction);
+            stiffness += match grows_as_law(facet, is_of_law) {
                 true => of_force.dot(&traction.value),
                 false => (of_force + of_slip).dot(&limited),
             };
@@ -78,6 +76,54 @@ pub(crate) fn add_sliders<const D: usize>(
     }
     gradients.slip = list_slip(&by_slip);
     Ok(())
+}
+
+/// Adds rates of the forces of all sliders along rates of the slip carried into the step and of stiffnesses.
+///
+/// # Errors
+/// As [`add_sliders`].
+pub(crate) fn add_slider_slopes<const D: usize>(
+    (partners, method): (&Partners<D>, &Method<D>),
+    pairs: &[SlipFacets<D>],
+    along: &Along,
+    forces: &mut [[f64; D]],
+) -> Result<(), Error> {
+    for pair in pairs {
+        let [of_stiffness, ..] = along.of_pair(&pair.partners);
+        let is_of_law = check_pair(&pair.partners, (partners, method), !along.slip.is_empty(), of_stiffness != 0.0)?;
+        let part = of_stiffness / partners.stiffness_of(&pair.partners, method.options());
+        for (facet, rows, traction) in pair.tractions() {
+            let mut rate = match grows_as_law(facet, is_of_law) {
+                _ if of_stiffness == 0.0 => Vector::zeros(),
+                true => traction.value * part,
+                false => limited(facet, &traction) * part,
+            };
+            let name: SliderName = (pair.partners, facet.of_b, facet.facet);
+            if let Some(carried) = along.slip.get(&name) {
+                rate += traction.stiffness * facet.of_carried(&Vector::from_fn(|i, _| carried[i]));
+            }
+            for row in rows.iter().filter(|row| !row.mover.turns) {
+                if let Some(force) = forces.get_mut(row.mover.node as usize) {
+                    let added = row.slip.transpose() * (rate * facet.area);
+                    (0..D).for_each(|i| force[i] -= added[i]);
+                }
+            }
+        }
+    }
+    Ok(())
+}
+
+/// What a traction has by its limit, times that; an infinite limit is met by nothing.
+fn limited<const D: usize>(facet: &SlipFacet<D>, traction: &Traction<D>) -> Vector<D> {
+    match traction.slides || !is_spring(facet.slider.stick) {
+        true => traction.by_limit * facet.slider.limit,
+        false => Vector::zeros(),
+    }
+}
+
+/// Whether all of a traction is in proportion to the stiffness of the law, not its limit alone.
+fn grows_as_law<const D: usize>(facet: &SlipFacet<D>, is_of_law: bool) -> bool {
+    is_of_law || !is_spring(facet.slider.stick)
 }
 
 fn is_spring(stick: Stick) -> bool {

@@ -23,28 +23,12 @@ pub(super) fn gradients_in<const D: usize>(
     request: &GradientRequest,
 ) -> Result<Gradients<D>, Error> {
     check_ready(contact)?;
-    let of_slip = request.slip || !slip.is_empty();
-    let by_others = request.reference || request.stiffness || request.gap_offsets || request.friction || of_slip;
-    if contact.has_ties() && by_others {
-        let what = "a derivative with bodies that are tied or do not separate, but by coordinates and poses";
-        return Err(Error::Unsupported { what });
-    }
-    if !contact.cohesions.is_empty() {
-        return Err(Error::Unsupported { what: "derivatives with a cohesive interface" });
-    }
-    if !contact.governed.is_empty() {
-        return Err(Error::Unsupported { what: "derivatives with an interface by your own law" });
-    }
+    check_known(contact, request, !slip.is_empty())?;
     if !slip.is_empty() && (request.needs_tangent() || request.reference) {
         let what = "the derivative of the slip at the end of a step by coordinates, poses and gap offsets";
         return Err(Error::Unsupported { what });
     }
     let Contact { mesh, partners, method, history, .. } = contact;
-    if of_slip && history.frozen.is_some() {
-        return Err(Error::Unsupported {
-            what: "derivatives by and of the slip between steps while friction is frozen",
-        });
-    }
     let rows: Vec<[f64; D]> = adjoint.chunks_exact(D).map(|row| std::array::from_fn(|i| row[i])).collect();
     let expected = mesh.surface.unknown_count();
     if !adjoint.is_empty() && (rows.len() != expected || adjoint.len() != expected * D) {
@@ -65,12 +49,11 @@ pub(super) fn gradients_in<const D: usize>(
     }
     if request.needs_answers() {
         let tangent = (request.needs_tangent() && seeds.forces.is_some()).then_some(TangentPart::Full);
-        let rotations = request.rotations && obstacles > 0 && tangent.is_some() && !method.options().axisymmetric;
+        let rotations = request.rotations && obstacles > 0 && tangent.is_some();
         let asked = Asked { energy: true, tangent, rotations, limited: request.friction, ..Asked::default() };
         let (answers, tractions) = measured_pairs(contact, coords, &asked)?;
         let is_kept = |pair: &[Partner; 2]| history.patches.of(pair).is_some();
-        let (is_frozen, may_be_curved) = (history.frozen.is_some(), mesh.may_be_curved());
-        let state = State { is_kept: &is_kept, is_frozen, may_be_curved };
+        let state = state_of(contact, &is_kept);
         add_answers((partners, method), (&answers, &tractions), (&seeds, request, &state), &mut found)?;
     }
     if request.slip || seeds.reaches_friction() && (request.stiffness || request.friction && !slip.is_empty()) {
@@ -83,6 +66,42 @@ pub(super) fn gradients_in<const D: usize>(
         found.reference = by_reference(contact, coords, &seeds)?;
     }
     found.checked()
+}
+
+/// Refuses what the whole contact has no derivatives of.
+pub(super) fn check_known<const D: usize>(
+    contact: &Contact<D>,
+    request: &GradientRequest,
+    of_slip: bool,
+) -> Result<(), Error> {
+    let of_slip = request.slip || of_slip;
+    let by_others = request.reference || request.stiffness || request.gap_offsets || request.friction || of_slip;
+    let refused = |what| Err(Error::Unsupported { what });
+    if contact.has_ties() && by_others {
+        return refused("a derivative with bodies that are tied or do not separate, but by coordinates and poses");
+    }
+    if !contact.cohesions.is_empty() {
+        return refused("derivatives with a cohesive interface");
+    }
+    if !contact.governed.is_empty() {
+        return refused("derivatives with an interface by your own law");
+    }
+    if request.rotations && contact.method.options().axisymmetric && contact.partners.obstacles.count() > 0 {
+        return refused("the derivative by rotations of obstacles with axisymmetry");
+    }
+    if of_slip && contact.history.frozen.is_some() {
+        return refused("derivatives by and of the slip between steps while friction is frozen");
+    }
+    Ok(())
+}
+
+/// What decides whether its tangent is a derivative.
+pub(super) fn state_of<'a, const D: usize>(
+    contact: &Contact<D>,
+    is_kept: &'a dyn Fn(&[Partner; 2]) -> bool,
+) -> State<'a> {
+    let (is_frozen, may_be_curved) = (contact.history.frozen.is_some(), contact.mesh.may_be_curved());
+    State { is_kept, is_frozen, may_be_curved }
 }
 
 /// The derivative by the reference coordinates: of pairs of bodies by the law `depth`, since no other has anything of them.

@@ -8,10 +8,11 @@ use super::parts::Contact;
 use super::points::{Points, measured_at};
 use super::sliding::{check_ready, sliding};
 use super::slip_facets::slip_facets_in;
+use super::slopes::slopes_in;
 use super::walk::{for_each_pair, for_each_pair_within};
 use super::worn_off::{large_wear, worn_off_in};
 use crate::Error;
-use crate::contact::derivatives::{GradientRequest, Gradients, SlipSeeds};
+use crate::contact::derivatives::{Along, GradientRequest, Gradients, SlipSeeds, Slopes};
 use crate::contact::explicit::largest_step;
 use crate::contact::flux::FluxRequest;
 use crate::contact::friction::{SlipFacets, Tractions, Undirected};
@@ -99,6 +100,7 @@ macro_rules! numbers {
     };
 }
 macro_rules! gradient_lists { ($d:expr) => { Gradients<$d> }; }
+macro_rules! rates { ($d:expr) => { Slopes<$d> }; }
 macro_rules! overlap_list { ($d:expr) => { Vec<Overlap<$d>> }; }
 macro_rules! traces { ($d:expr) => { Vec<FiberTrace<$d>> }; }
 macro_rules! nodal { ($d:expr) => { NodalContact<$d> }; }
@@ -134,6 +136,8 @@ kernel! { /// Forces and second derivative of the energy.
 evaluate_tangent = evaluate_tangent_in(part: TangentPart) -> both }
 kernel! { /// Derivatives of energy and forces.
 gradients = gradients_in(energy: f64, adjoint: &[f64], slip: &SlipSeeds, request: &GradientRequest) -> gradient_lists }
+kernel! { /// Rates of energy and forces.
+slopes = slopes_in(along: &Along) -> rates }
 kernel! { /// Time step.
 stable_step = stable_step_in(masses: &[f64]) -> numbers }
 kernel! { /// Overlaps of all pairs.

@@ -264,6 +264,16 @@ impl<const D: usize> SlipFacet<D> {
         self.before.deformation.transpose() * within * (sign * self.before.part)
     }
 
+    /// What the trial slip has of the elastic slip carried into the step.
+    pub(crate) fn of_carried(&self, slip: &Vector<D>) -> Vector<D> {
+        if let Stick::Memoryless(_) = self.slider.stick {
+            return Vector::zeros();
+        }
+        let sign = if self.of_b { -1.0 } else { 1.0 };
+        let turned = self.before.deformation * slip;
+        (turned - self.normal * self.normal.dot(&turned)) * (sign * self.before.part)
+    }
+
     /// Traction against the slip of what slides, by the largest limit there is in any direction.
     pub(super) fn part_of_limit(&self, traction: &Traction<D>) -> f64 {
         if self.slider.ellipse.is_none() {

@@ -2,7 +2,7 @@
 
 use crate::Error;
 use crate::contact::changes::friction_steps::carried_of;
-use crate::contact::derivatives::{GradientRequest, Gradients, SlipSeeds};
+use crate::contact::derivatives::{Along, Directions, GradientRequest, Gradients, SlipSeeds, Slopes};
 use crate::contact::evaluation::{Contact, kernels};
 use crate::contact::friction::FacetSlip;
 
@@ -22,7 +22,7 @@ impl<const D: usize> Contact<D> {
     /// a gap offset between bodies. By gap offset: of frictional forces; by stiffness: of these with cohesion or a shear limit, or
     /// frozen. By slip: with static friction, or frozen. By gap offsets: of pairs other than bodies with half-spaces. By the
     /// coefficient of friction: where it is 0, and with static friction, cohesion or a shear limit, or another coefficient across a
-    /// direction. By rotations: with the law `fiber`.
+    /// direction. By rotations: with the law `fiber`, and with axisymmetry.
     pub fn vjp(
         &self,
         coords: &[[f64; D]],
@@ -57,12 +57,29 @@ impl<const D: usize> Contact<D> {
         if !energy.is_finite() {
             return Err(Error::NonFiniteStiffness { array: "energy", entry: 0 });
         }
-        let seed = |slip: &[f64; D]| std::array::from_fn(|axis| slip.get(axis).copied().unwrap_or(0.0));
-        let seeds: SlipSeeds = match slip {
-            [] => SlipSeeds::new(),
-            _ => carried_of(self, slip)?.into_iter().map(|(name, one)| (name, seed(&one.slip.into()))).collect(),
-        };
+        let seeds = self.by_slider(slip)?;
         let adjoint = adjoint.map_or(&[][..], |adjoint| adjoint.as_flattened());
         kernels::gradients(self, coords, energy, adjoint, &seeds, request)
+    }
+
+    /// Rates of energy and nodal forces at `coords` along rates of what they depend on, the transpose of [`Self::vjp`]: friction is no part
+    /// of the energy, and with it the slip at the start of the step moves only as `along` says.
+    ///
+    /// # Errors
+    /// As [`Self::vjp`] with an adjoint, for what moves; [`Error::Length`] and [`Error::NonFiniteStiffness`] for rates;
+    /// [`Error::NoSuchRow`] for pairs, and as [`Self::vjp_of_step`] for the slip.
+    pub fn jvp(&self, coords: &[[f64; D]], along: &Directions<D>) -> Result<Slopes<D>, Error> {
+        let slip = self.by_slider(along.slip)?;
+        let surface = &self.mesh.surface;
+        let counts = (surface.unknown_count(), surface.ranges.len(), self.partners.obstacles.count());
+        kernels::slopes(self, coords, &Along::new(along, &slip, counts)?)
+    }
+
+    fn by_slider(&self, slip: &[FacetSlip<D>]) -> Result<SlipSeeds, Error> {
+        let padded = |slip: &[f64; D]| std::array::from_fn(|axis| slip.get(axis).copied().unwrap_or(0.0));
+        Ok(match slip {
+            [] => SlipSeeds::new(),
+            _ => carried_of(self, slip)?.into_iter().map(|(name, one)| (name, padded(&one.slip.into()))).collect(),
+        })
     }
 }

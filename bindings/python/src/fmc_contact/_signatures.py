@@ -26,6 +26,7 @@ from ._structs import (
     fmc_context,
     fmc_coords,
     fmc_csr,
+    fmc_directions,
     fmc_equilibrium,
     fmc_equilibrium_answer,
     fmc_equilibrium_options,
@@ -346,6 +347,11 @@ FUNCTIONS: dict[str, tuple[Any, list[Any]]] = {
             c_size_t,
             POINTER(c_size_t),
         ],
+    ),
+    "fmc_directions_init": (c_int32, [POINTER(fmc_directions)]),
+    "fmc_context_jvp": (
+        c_int32,
+        [fmc_context, POINTER(fmc_coords), POINTER(fmc_directions), Float64Array, Float64Array],
     ),
     "fmc_context_set_pair_wear": (c_int32, [fmc_context, c_int32, c_size_t, c_int32, c_size_t, c_double, c_double]),
     "fmc_context_pair_wear": (

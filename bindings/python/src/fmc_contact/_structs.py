@@ -711,6 +711,23 @@ class fmc_pair_gradient(Structure):
     ]
 
 
+class fmc_directions(Structure):
+    _fields_ = [
+        ("struct_size", c_size_t),
+        ("coords", c_void_p),
+        ("positions", c_void_p),
+        ("rotations", c_void_p),
+        ("stiffness", c_double),
+        ("gap_offset", c_double),
+        ("friction", c_double),
+        ("pairs", POINTER(fmc_pair_gradient)),
+        ("pair_count", c_size_t),
+        ("slip", c_void_p),
+        ("slip_count", c_size_t),
+        ("reserved", c_uint64 * 4),
+    ]
+
+
 class fmc_communicator(Structure):
     _fields_ = [
         ("struct_size", c_size_t),

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import creation, result, tangent
-from ._arrays import View, coords_view, finite, floats, forces_view, vector
+from ._arrays import View, coords_view, finite, forces_view, vector
 from ._constants import FMC_EVALUATE_ADD, FMC_TANGENT_SEMIDEFINITE, FMC_TANGENT_SYMMETRIC
 from ._core import Core
 from ._library import library
@@ -21,10 +21,10 @@ from .cohesive import CohesiveInterfaces
 from .contact_step import ContactStep, contact_step
 from .fields import ContactPoints, NodalContact, contact_points, nodal_contact
 from .flux import Conductance, ContactFlux, FrictionHeat, flux, friction_heat
-from .forward import Slopes, slopes
+from .forward import Rates, Slopes, slopes
 from .friction import FrictionSteps, rows_of
 from .gaps import GapConstraints, gap_constraints
-from .gradients import Gradients, gradients, names_of
+from .gradients import Gradients, PairGradient, gradients, names_of
 from .laws import InterfaceLaws
 from .mesh import Mesh
 from .multipliers import Multipliers
@@ -732,12 +732,16 @@ class Contact:
         positions: Optional[ArrayLike] = None,
         rotations: Optional[ArrayLike] = None,
         stiffness: float = 0.0,
+        gap_offset: float = 0.0,
+        friction: float = 0.0,
+        pairs: Iterable[PairGradient] = (),
+        slip: Optional[ArrayLike] = None,
     ) -> Slopes:
         """Rates of energy and forces along rates of what they depend on: the forward twin of ``vjp``.
 
         Parameters
         ----------
-        coords : array_like, (n, dim)
+        coords : array_like, (n, dim) or (dim, n)
             Current coordinates of all nodes.
         motion : array_like, (n, dim), optional
             Rates of the coordinates.
@@ -745,8 +749,12 @@ class Contact:
             Rates of the positions of the obstacles.
         rotations : array_like, (m, 3), optional
             Rates of a rotation vector of every obstacle about its position; in 2D the last entry counts.
-        stiffness : float
-            Rate of the option ``stiffness``.
+        stiffness, gap_offset, friction : float
+            Rates of the stiffness k, the gap offset and the coefficient of friction of every pair that touches.
+        pairs : iterable of PairGradient
+            Such rates of single pairs, in addition. A pair that does not touch does nothing.
+        slip : array_like, (rows, 8), optional
+            Rates of the elastic slip carried into the step, in rows as ``friction.slip`` has them.
 
         Returns
         -------
@@ -758,9 +766,9 @@ class Contact:
         TypeError, ValueError
             For arrays of another shape, and for rates that are not finite.
         UnsupportedError
-            As ``vjp``; by the stiffness where a pair has a law of its own.
+            As ``vjp`` with an adjoint, for what moves.
         FmcError
-            As ``tangent`` raises.
+            As ``tangent`` raises; for pairs and rows of slip that there are not.
 
         Examples
         --------
@@ -768,12 +776,17 @@ class Contact:
         >>> bool(abs(rates.energy) < 1e-9)
         True
         """
-        rows, obstacles = self._core.unknown_count, self._core.obstacle_count
-        shapes = {"motion": (rows, self.dim), "positions": (obstacles, self.dim), "rotations": (obstacles, 3)}
+        rows, obstacles, dim = self._core.unknown_count, self._core.obstacle_count, self._core.dim
+        shapes = {"motion": (rows, dim), "positions": (obstacles, dim), "rotations": (obstacles, 3)}
         given = {"motion": motion, "positions": positions, "rotations": rotations}
-        rates = [None if rate is None else finite(rate, name, shapes[name]) for name, rate in given.items()]
-        along = float(finite(stiffness, "stiffness", ()))
-        return slopes(self, floats(coords, "coords", (rows, self.dim)), rates[0], rates[1], rates[2], along)
+        moved = {name: None if rate is None else np.ascontiguousarray(finite(rate, name, shapes[name])) for name, rate in given.items()}
+        of_all = {"stiffness": stiffness, "gap_offset": gap_offset, "friction": friction}
+        numbers = {name: float(finite(rate, name, ())) for name, rate in of_all.items()}
+        carried = None if slip is None else rows_of(slip, "slip")
+        rates = Rates(moved, numbers, tuple(pairs), carried)
+        view = coords_view(coords, dim)
+        with self._core.handle:
+            return slopes(self._core.handle, view, dim, rates)
 
     def gap_constraints(self, coords: ArrayLike, reach: float) -> GapConstraints:
         """Weighted gaps of all nodes near a partner, apart or overlapping, with their derivative.

@@ -2,14 +2,19 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, NamedTuple, Optional
+from collections.abc import Mapping, Sequence
+from ctypes import byref, sizeof
+from dataclasses import dataclass
+from typing import NamedTuple, Optional
 
 import numpy as np
 
-from .errors import UnsupportedError
-
-if TYPE_CHECKING:
-    from .contact import Contact
+from ._arrays import View
+from ._constants import FMC_PARTNER
+from ._handle import Handle
+from ._library import check, library
+from ._structs import fmc_directions, fmc_pair_gradient
+from .gradients import PairGradient
 
 
 class Slopes(NamedTuple):
@@ -32,58 +37,46 @@ class Slopes(NamedTuple):
     forces: np.ndarray
 
 
-def slopes(
-    contact: Contact,
-    coords: np.ndarray,
-    motion: Optional[np.ndarray],
-    positions: Optional[np.ndarray],
-    rotations: Optional[np.ndarray],
-    stiffness: float,
-) -> Slopes:
+@dataclass(frozen=True)
+class Rates:
+    """What moves, in dense rows of finite numbers."""
+
+    moved: Mapping[str, Optional[np.ndarray]]
+    """``motion``, ``positions`` and ``rotations``."""
+    of_all: Mapping[str, float]
+    """``stiffness``, ``gap_offset`` and ``friction``."""
+    pairs: Sequence[PairGradient]
+    slip: Optional[np.ndarray]
+
+
+def slopes(handle: Handle, coords: View, dim: int, rates: Rates) -> Slopes:
     """Rates at ``coords``. What ``vjp`` refuses, this refuses."""
-    rates = {"coords": motion, "positions": positions, "rotations": rotations}
-    asked = [name for name, rate in rates.items() if rate is not None] + ["stiffness"] * (stiffness != 0.0)
-    seeds = np.zeros((contact.unknown_count, contact.dim))
-    found = contact.vjp(coords, seeds, 1.0, asked)
-    energy = sum(float((getattr(found, name) * rate).sum()) for name, rate in rates.items() if rate is not None)
-    forces = np.zeros(seeds.shape)
-    if any(rate is not None for rate in rates.values()):
-        forces -= _along(contact, coords, motion, positions, rotations)
-    if stiffness != 0.0:
-        shared = contact.options["stiffness"]
-        slides = contact.evaluate(coords).friction
-        if slides.stick_area + slides.slip_area > 0.0 and contact.options["friction_stiffness"] > 0.0:
-            raise UnsupportedError("rates of frictional forces by a stiffness where sticking contact has a friction_stiffness of its own")
-        if any(contact.pairs.options(pair.a, pair.b)["law"] is not None for pair in found.pairs) or shared <= 0.0:
-            raise UnsupportedError("rates by a stiffness that not all pairs have from the option 'stiffness'")
-        energy += stiffness * found.stiffness
-        forces += stiffness / shared * contact.evaluate(coords).forces
-    return Slopes(energy, forces)
+    along = fmc_directions()
+    check(library.fmc_directions_init(byref(along)))
+    for name, rows in rates.moved.items():
+        # Empty rows move nothing.
+        if rows is not None and rows.size:
+            setattr(along, "coords" if name == "motion" else name, rows.ctypes.data)
+    for name, rate in rates.of_all.items():
+        setattr(along, name, rate)
+    pairs = (fmc_pair_gradient * len(rates.pairs))(*map(_pair, rates.pairs))
+    if len(pairs):
+        along.pairs, along.pair_count = pairs, len(pairs)
+    if rates.slip is not None and rates.slip.size:
+        along.slip, along.slip_count = rates.slip.ctypes.data, rates.slip.size
+    energy, forces = np.empty(1), np.empty((coords.node_count, dim))
+    handle.call(library.fmc_context_jvp, byref(coords.struct), byref(along), energy, forces)
+    return Slopes(float(energy[0]), forces)
 
 
-def _along(
-    contact: Contact,
-    coords: np.ndarray,
-    motion: Optional[np.ndarray],
-    positions: Optional[np.ndarray],
-    rotations: Optional[np.ndarray],
-) -> np.ndarray:
-    """The tangent times a motion of nodes and obstacles, at the nodes."""
-    count, obstacles, dim = contact.unknown_count, contact.obstacles.count, contact.dim
-    parts = contact.tangent_parts(coords, obstacles=True)
-    if rotations is not None and parts.size == (count + obstacles) * dim:
-        contact.obstacles.set_rotations(True)
-        try:
-            parts = contact.tangent_parts(coords, obstacles=True)
-        finally:
-            contact.obstacles.set_rotations(False)
-    along = np.zeros((parts.size // dim, dim))
-    if motion is not None:
-        along[:count] = motion
-    if positions is not None:
-        along[count : count + obstacles] = positions
-    if rotations is not None and obstacles:
-        # In the plane the angle is the first entry.
-        along[count + obstacles :] = rotations if dim == 3 else rotations[:, [2, 2]] * [1.0, 0.0]
-    moved: np.ndarray = (parts @ along)[: count * dim].reshape(count, dim)
-    return moved
+def _pair(rates: PairGradient) -> fmc_pair_gradient:
+    kinds = {name: kind for kind, name in FMC_PARTNER.items()}
+    for kind, _ in (rates.a, rates.b):
+        if kind not in kinds:
+            raise ValueError(f"a pair has a partner '{kind}', expected {', '.join(kinds)}")
+    given = fmc_pair_gradient()
+    given.struct_size = sizeof(given)
+    given.a_kind, given.a = kinds[rates.a[0]], rates.a[1]
+    given.b_kind, given.b = kinds[rates.b[0]], rates.b[1]
+    given.stiffness, given.gap_offset, given.friction = rates.stiffness, rates.gap_offset, rates.friction
+    return given

@@ -37,7 +37,7 @@ def names_of(by: Iterable[str]) -> tuple[str, ...]:
 
 @dataclass(frozen=True)
 class PairGradient:
-    """Derivatives by what one pair has; 0 for what was not asked for.
+    """Derivatives by what one pair has; 0 for what was not asked for. For ``Contact.jvp`` rates of this.
 
     Attributes
     ----------
@@ -59,9 +59,9 @@ class PairGradient:
 
     a: tuple[str, int]
     b: tuple[str, int]
-    stiffness: float
-    gap_offset: float
-    friction: float
+    stiffness: float = 0.0
+    gap_offset: float = 0.0
+    friction: float = 0.0
 
 
 @dataclass(frozen=True, eq=False)

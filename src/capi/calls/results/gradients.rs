@@ -2,10 +2,11 @@
 
 use crate::capi::boundary::entry::entry;
 use crate::capi::boundary::list::Room;
-use crate::capi::boundary::pointer::{Output, optional, reference, slice};
+use crate::capi::boundary::pointer::{Output, copy_list, optional, reference, slice};
 use crate::capi::boundary::status::fmc_status;
 use crate::capi::context::session::in_either;
 use crate::capi::context::state::{fmc_context, write};
+use crate::capi::structs::directions::fmc_directions;
 use crate::capi::structs::gradients::{fmc_gradients, fmc_pair_gradient};
 use crate::capi::structs::view::fmc_coords;
 
@@ -39,7 +40,7 @@ pub unsafe extern "C" fn fmc_gradients_init(gradients: *mut fmc_gradients) -> fm
 /// bodies. By gap offset: of frictional forces; by stiffness: of these with cohesion or a shear limit, or frozen. By slip: with static
 /// friction, or frozen; of the slip at the end of the step: by coordinates, poses and gap offsets. By gap offsets: of pairs other than
 /// bodies with half-spaces. By the coefficient of friction: where it is 0, and with static friction, cohesion or a shear limit. By
-/// rotations: with the law "fiber". Nothing is written then. Threads: one call at a time on a context.
+/// rotations: with the law "fiber", and with axisymmetry. Nothing is written then. Threads: one call at a time on a context.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_vjp(
     context: *mut fmc_context,
@@ -73,6 +74,59 @@ pub unsafe extern "C" fn fmc_context_vjp(
             room.write("pairs", "pairs", found, pairs)?;
             to.write(&lists);
             slip_room.write("numbers of the slip", "slip", &lists.slip, to.slip)?;
+        }
+        Ok(())
+    })
+}
+
+/// All rates 0.
+///
+/// Errors: `FMC_ERROR_NULL_POINTER`. Threads: any, on different structs.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmc_directions_init(directions: *mut fmc_directions) -> fmc_status {
+    entry(|| {
+        let output = Output::required("directions", directions)?;
+        // SAFETY: the host passes a struct of the header's size, which may be written.
+        unsafe { output.write(fmc_directions::default()) };
+        Ok(())
+    })
+}
+
+/// Rates of energy and nodal forces at `coords` along rates of what they depend on: the transpose of `fmc_context_vjp`. With the same
+/// parameters moved by d, energy * `energy` + adjoint . `forces` here is d times the derivatives there. Friction is no part of the energy;
+/// the slip at the start of the step moves only as `directions` says.
+///
+/// `energy` becomes the rate of the contact energy; `forces` has room for n * dim numbers, the rates of the force on every node in dense
+/// rows. Either may be NULL.
+///
+/// Errors: as `fmc_context_vjp` with an adjoint, for what moves; `FMC_ERROR_LENGTH`, `FMC_ERROR_NON_FINITE_STIFFNESS` with the place of a rate,
+/// `FMC_ERROR_STRUCT_SIZE`, `FMC_ERROR_RESERVED_FIELD`; `FMC_ERROR_INDEX_OUT_OF_RANGE` for a pair that there is not; for `slip` as
+/// `fmc_context_set_slip`. There are no rates along coordinates without deformation. Nothing is written then. Threads: one call at a time on
+/// a context.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmc_context_jvp(
+    context: *mut fmc_context,
+    coords: *const fmc_coords,
+    directions: *const fmc_directions,
+    energy: *mut f64,
+    forces: *mut f64,
+) -> fmc_status {
+    entry(|| {
+        let (energy, _) = (Output::optional("energy", energy)?, Output::optional("forces", forces)?);
+        // SAFETY: the host passes a context, views and a struct whose arrays are as long as they are said to be.
+        let (rate, rates) = unsafe {
+            write(context, |state| {
+                let (at, along) = (reference("coords", coords)?, reference("directions", directions)?);
+                let base = state.index_base;
+                in_either!(&mut state.session, one => one.jvp(at, along, base))
+            })
+        }?;
+        // SAFETY: the host guarantees that the outputs, where given, have room.
+        unsafe {
+            energy.write(rate);
+            if !forces.is_null() {
+                copy_list("forces", &rates, forces)?;
+            }
         }
         Ok(())
     })
