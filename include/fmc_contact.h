@@ -3216,6 +3216,36 @@ fmc_status fmc_context_jvp(fmc_context *context,
                            double *energy,
                            double *forces);
 
+// Derivatives of a number J(x, F) of an equilibrium, F being the contact forces on nodes, by what the equilibrium hangs on: two calls and
+// one linear solve of the host between them. With R = internal less external forces, K = dR/dx, the contact's full tangent T and a = dJ/dF
+// the adjoint b solves, at the free unknowns, with zeros at the others,
+//
+//     (K + T)^T b = dJ/dx - T^T a
+//
+// 1. With `balance` NULL `right` becomes dJ/dx - T^T a. 2. With `balance` = b, what `gradients` names becomes the total derivative of J by
+// it, as `fmc_context_vjp` writes it, and `right` becomes dJ/dx - T^T (a + b): less K^T b it is the derivative by the value of an unknown
+// that is not free. The host's part of dJ/dp is -b . dR/dp; a load has the derivative b. `coords` of `gradients` is by nodes that move by
+// themselves, x held.
+//
+// `problem`: the unknowns as for `fmc_equilibrium_new`, its `x` the equilibrium, found by whatever solver; `prescribed` is not read.
+// `by_x`: dJ/dx, `unknown_count` numbers, also of unknowns that are not free. `by_forces`: dJ/dF, `row_count * dim` numbers by row; NULL
+// for zeros. `right` has room for `unknown_count` numbers, or is NULL. `gradients` NULL: nothing more is asked for. `pairs`, `capacity` and
+// `count` as for `fmc_context_vjp`.
+//
+// Errors: as `fmc_equilibrium_new` for the problem and as `fmc_context_vjp` with an adjoint; `FMC_ERROR_NON_FINITE_STIFFNESS` with the place
+// in an array. `FMC_ERROR_UNSUPPORTED` with multipliers, as the search leaves where it found the stiffness or a `penetration` was asked
+// for; with friction; for `slip` and `slip_adjoint`. Nothing is written then. Threads: one call at a time on a context.
+fmc_status fmc_equilibrium_adjoint(fmc_context *context,
+                                   const fmc_equilibrium_problem *problem,
+                                   const double *by_x,
+                                   const double *by_forces,
+                                   const double *balance,
+                                   double *right,
+                                   const fmc_gradients *gradients,
+                                   fmc_pair_gradient *pairs,
+                                   size_t capacity,
+                                   size_t *count);
+
 // ---- Wear ------------------------------------------------------------------------------------------------
 
 // Has the sides of a pair wear by Archard's law: `a` that slides by |ds| under the pressure p loses `wear_a` p |ds| of its depth, and `b` loses

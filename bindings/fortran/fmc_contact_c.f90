@@ -1802,6 +1802,21 @@ module fmc_contact_c
       real(c_double), intent(inout), optional :: forces(*)
       integer(c_int32_t) :: fmc_context_jvp
     end function
+    function fmc_equilibrium_adjoint(context, problem, by_x, by_forces, balance, right, &
+        gradients, pairs, capacity, count) bind(c)
+      import
+      type(c_ptr), value :: context
+      type(fmc_equilibrium_problem), intent(in), optional :: problem
+      real(c_double), intent(in), optional :: by_x(*)
+      real(c_double), intent(in), optional :: by_forces(*)
+      real(c_double), intent(in), optional :: balance(*)
+      real(c_double), intent(inout), optional :: right(*)
+      type(fmc_gradients), intent(in), optional :: gradients
+      type(fmc_pair_gradient), intent(inout), optional :: pairs
+      integer(c_size_t), value :: capacity
+      integer(c_size_t), intent(inout), optional :: count
+      integer(c_int32_t) :: fmc_equilibrium_adjoint
+    end function
     function fmc_context_set_pair_wear(context, a_kind, a, b_kind, b, wear_a, wear_b) bind(c)
       import
       type(c_ptr), value :: context

@@ -49,33 +49,50 @@ struct Equilibrium {
 
 namespace detail {
 
-class EquilibriumSearch {
+// A problem as C takes it, with the numbers that it points to.
+class GivenProblem {
  public:
-  EquilibriumSearch(Context &context, const EquilibriumProblem &problem, const EquilibriumOptions &options) {
+  GivenProblem(const Context &context, const EquilibriumProblem &problem) {
     const auto axes = static_cast<std::size_t>(context.dim());
     const std::size_t rows = problem.base.size() / axes, count = problem.x.size();
     // Numbers as wide as those of the mesh, and counted as there.
-    std::vector<int64_t> wide(problem.unknown_of_coordinate.begin(), problem.unknown_of_coordinate.end());
+    std::vector<int64_t> &wide = wide_;
+    wide.assign(problem.unknown_of_coordinate.begin(), problem.unknown_of_coordinate.end());
     if (wide.empty()) {
       wide.resize(problem.base.size());
       std::iota(wide.begin(), wide.end(), context.options().index_base);
     }
-    const std::vector<int32_t> narrow(wide.begin(), wide.end());
+    narrow_.assign(wide.begin(), wide.end());
     for (const auto &[size, wanted, name] : {std::tuple(wide.size(), problem.base.size(), "unknown_of_coordinate"),
                                              std::tuple(problem.base.size(), rows * axes, "base"),
                                              std::tuple(problem.free.size(), count, "free"),
                                              std::tuple(problem.prescribed.empty() ? count : problem.prescribed.size(), count, "prescribed")})
       if (size != wanted)
         refuse(FMC_ERROR_LENGTH, std::string(name) + ": " + std::to_string(size) + " numbers, needed are " + std::to_string(wanted));
-    fmc_equilibrium_problem given;
-    check(fmc_equilibrium_problem_init(&given));
-    given.unknown_count = count, given.row_count = rows;
-    given.unknown_of_coordinate =
-        context.index_size() == 4 ? static_cast<const void *>(narrow.data()) : static_cast<const void *>(wide.data());
-    given.base = problem.base.data(), given.free = problem.free.data(), given.x = problem.x.data();
-    given.prescribed = problem.prescribed.size() > 0 ? problem.prescribed.data() : nullptr;
+    check(fmc_equilibrium_problem_init(&given_));
+    given_.unknown_count = count, given_.row_count = rows;
+    given_.unknown_of_coordinate =
+        context.index_size() == 4 ? static_cast<const void *>(narrow_.data()) : static_cast<const void *>(wide.data());
+    given_.base = problem.base.data(), given_.free = problem.free.data(), given_.x = problem.x.data();
+    given_.prescribed = problem.prescribed.size() > 0 ? problem.prescribed.data() : nullptr;
+  }
+  GivenProblem(const GivenProblem &) = delete;
+  GivenProblem &operator=(const GivenProblem &) = delete;
+
+  const fmc_equilibrium_problem *get() const noexcept { return &given_; }
+
+ private:
+  std::vector<int64_t> wide_;
+  std::vector<int32_t> narrow_;
+  fmc_equilibrium_problem given_;
+};
+
+class EquilibriumSearch {
+ public:
+  EquilibriumSearch(Context &context, const EquilibriumProblem &problem, const EquilibriumOptions &options) {
+    const GivenProblem given(context, problem);
     fmc_equilibrium *made = nullptr;
-    check(fmc_equilibrium_new(context.get(), &given, &options, &made));
+    check(fmc_equilibrium_new(context.get(), given.get(), &options, &made));
     search_.reset(made);
   }
 
@@ -139,6 +156,43 @@ inline Equilibrium find_equilibrium(Context &context, const EquilibriumProblem &
     answer.vector = is_there ? found.data() : nullptr;
     given = &answer;
   }
+}
+
+// Derivatives of a number J(x, F) of an equilibrium: see `fmc_equilibrium_adjoint`.
+struct EquilibriumAdjoint {
+  std::vector<double> balance;  // The host's part of dJ/dp is -balance . dR/dp; a load has the derivative `balance`.
+  std::vector<double> right;    // Less K^T balance: by the values of unknowns that are not free.
+  std::vector<fmc_pair_gradient> pairs;
+  bool is_there = false;  // False where the host has no solution.
+};
+
+// The adjoint of the equilibrium `problem.x`, found by whatever solver. `solve_transposed` fills a vector, zero before, with the solution b of
+// (K + T)^T b = right in the rows of free unknowns, T being `Context::tangent` there without flags. Of a number that knows no forces
+// `by_forces` is empty. `to` says by what there are derivatives, and where they go.
+inline EquilibriumAdjoint adjoint(Context &context, const EquilibriumProblem &problem, View<const double> by_x, View<const double> by_forces,
+                                  const std::function<bool(View<const double> right, double *balance)> &solve_transposed,
+                                  const Gradients &to = {}) {
+  const detail::GivenProblem given(context, problem);
+  const std::size_t count = problem.x.size();
+  if (by_x.size() != count || (!by_forces.empty() && by_forces.size() != problem.base.size()))
+    detail::refuse(FMC_ERROR_LENGTH, "by_x has a number for every unknown, by_forces one for every coordinate");
+  const double *of_forces = by_forces.empty() ? nullptr : by_forces.data();
+  EquilibriumAdjoint found;
+  found.right.resize(count), found.balance.assign(count, 0.0);
+  std::size_t pairs = 0;
+  const auto asked = [&](const double *balance, const fmc_gradients *gradients) {
+    return fmc_equilibrium_adjoint(context.get(), given.get(), by_x.data(), of_forces, balance, found.right.data(), gradients,
+                                   found.pairs.data(), found.pairs.size(), &pairs);
+  };
+  check(asked(nullptr, nullptr));
+  found.is_there = solve_transposed(found.right, found.balance.data());
+  if (!found.is_there) return found;
+  found.pairs.resize(16);
+  auto status = asked(found.balance.data(), &to);
+  if (status == FMC_ERROR_BUFFER_TOO_SMALL) found.pairs.resize(pairs), status = asked(found.balance.data(), &to);
+  check(status);
+  found.pairs.resize(pairs);
+  return found;
 }
 
 }  // namespace fmc

@@ -103,6 +103,7 @@ pub(crate) const SECTIONS: [Section; 21] = [
             "structs/gradients",
             "structs/directions",
             "calls/results/gradients",
+            "calls/solver/adjoint",
         ],
     ),
     ("Wear", &["calls/steps/wear"]),

@@ -1,5 +1,6 @@
 //! The search for an equilibrium, with a host of linear quadrilaterals and dense matrices.
 
+mod adjoint;
 mod bodies;
 mod falling;
 mod held;

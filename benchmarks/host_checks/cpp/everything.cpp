@@ -477,6 +477,49 @@ void an_equilibrium() {
   EXPECT(found.way != FMC_WAY_NONE && found.x.size() == 8 && found.counts.solve_count > 0);
   // The foot is on the floor to a thousandth of its way, and what lifts it is what springs hold.
   EXPECT(close(found.x[1], 0.1, 1e-2) && close(found.x[3], 0.1, 1e-2) && std::fabs(found.x[0] + found.x[2]) < 1e-9);
+  // The adjoint, of the height of a corner of the same springs on a floor of a given stiffness.
+  fmc::Context pressed(2, coords, {{FMC_QUAD4, quads}}, fmc::Options(1e4));
+  pressed.add_half_space(fmc::Pose::at({0, 0.1}));
+  Numbers state(8, 0.0), by_x(8, 0.0), positions(2);
+  by_x[1] = 1;
+  state[1] = state[3] = 0.05;
+  const fmc::EquilibriumProblem there{unknowns, coords, free, state, {}};
+  fmc::Gradients to;
+  to.positions = positions.data();
+  Numbers at(coords);
+  for (std::size_t i = 0; i < 8; ++i) at[i] += state[i];
+  const auto adjoint = fmc::adjoint(pressed, there, by_x, {}, [&](fmc::View<const double> right, double *b) {
+    double a[8][9] = {};
+    for (std::size_t i = 0; i < 8; ++i) a[i][i] = k, a[i][8] = right[i];
+    const auto tangent = pressed.tangent(at);
+    for (std::size_t row = 0; row < tangent.rows(); ++row)
+      for (auto e = tangent.row_offsets[row]; e < tangent.row_offsets[row + 1]; ++e)
+        if (row < 8 && tangent.cols[static_cast<std::size_t>(e)] < 8)
+          a[static_cast<std::size_t>(tangent.cols[static_cast<std::size_t>(e)])][row] += tangent.values[static_cast<std::size_t>(e)];
+    for (std::size_t c = 0; c < 8; ++c)
+      for (std::size_t r = 0; r < 8; ++r)
+        if (r != c) {
+          const double part = a[r][c] / a[c][c];
+          for (std::size_t j = c; j < 9; ++j) a[r][j] -= part * a[c][j];
+        }
+    for (std::size_t i = 0; i < 8; ++i) b[i] = a[i][8] / a[i][i];
+    return true;
+  }, to);
+  EXPECT(adjoint.is_there && adjoint.pairs.empty());
+  // At free unknowns what is left is K b. If all but the springs' ends rises by one, the corner does: the floor's part is one less theirs.
+  double springs = 0;
+  for (std::size_t i = 0; i < 8; ++i) {
+    EXPECT(std::fabs(adjoint.right[i] - k * adjoint.balance[i]) < 1e-9);
+    if (i % 2 == 1) springs += k * adjoint.balance[i];
+  }
+  EXPECT(close(positions[1], 1 - springs, 1e-9) && positions[1] > 0.1);
+  bool is_refused = false;
+  try {
+    fmc::adjoint(contact, there, by_x, {}, [](fmc::View<const double>, double *) { return true; });
+  } catch (const fmc::Error &error) {
+    is_refused = error.status() == FMC_ERROR_UNSUPPORTED;
+  }
+  EXPECT(is_refused);
   fmc::EquilibriumOptions check;
   check.check = 1;
   const auto said = fmc::find_equilibrium(contact, problem, host, check);

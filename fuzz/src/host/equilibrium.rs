@@ -1,7 +1,7 @@
 //! Searches for an equilibrium that are begun, and left after a few answers; and limits of steps.
 
 use super::Host;
-use super::array::{Array, checked, unless};
+use super::array::{Array, CANARY, checked, unless};
 use super::numbers::Numbers;
 use crate::guarded::Guarded;
 use crate::interface::*;
@@ -92,6 +92,7 @@ impl Host {
             problem.base = unless(hole, 1, given.1.ptr()).cast_const();
             problem.free = unless(hole, 2, given.2.ptr()).cast_const();
             problem.x = unless(hole, 3, given.3.ptr()).cast_const();
+            self.adjoint(&raw const problem, given.3.ptr(), count, hole);
             let mut search = null_mut();
             let status = fmc_equilibrium_new(
                 self.context,
@@ -117,6 +118,47 @@ impl Host {
             assert!(fmc_equilibrium_text(search, usize::MAX).is_null());
             assert_eq!(checked(fmc_equilibrium_free(&raw mut search)), OK);
             assert!(search.is_null() && checked(fmc_equilibrium_free(&raw mut search)) == OK);
+        }
+    }
+
+    /// The adjoint there, with the state for factors and for what solves its system; what is refused writes nothing.
+    unsafe fn adjoint(&mut self, problem: *const fmc_equilibrium_problem, state: *mut f64, count: usize, hole: Hole) {
+        let right = Guarded::new(&vec![f64::from_bits(CANARY); count]);
+        // SAFETY: as in `equilibrium`; the state has a number for every unknown.
+        unsafe {
+            let mut to = MaybeUninit::<fmc_gradients>::zeroed().assume_init();
+            let mut pair_count = 77usize;
+            assert_eq!(checked(fmc_gradients_init(&raw mut to)), OK);
+            to.of_pairs = FMC_GRADIENT_STIFFNESS as u64;
+            let by_x = unless(hole, 8, state).cast_const();
+            let status = fmc_equilibrium_adjoint(
+                self.context,
+                problem,
+                by_x,
+                null(),
+                state.cast_const(),
+                right.ptr(),
+                null(),
+                null_mut(),
+                0,
+                &raw mut pair_count,
+            );
+            let is_ok = checked(status) == OK;
+            assert!(right.values().iter().all(|x| (x.to_bits() != CANARY) == is_ok));
+            assert_eq!(pair_count, if is_ok { 0 } else { 77 });
+            let status = fmc_equilibrium_adjoint(
+                self.context,
+                problem,
+                by_x,
+                null(),
+                state.cast_const(),
+                null_mut(),
+                &raw const to,
+                null_mut(),
+                0,
+                &raw mut pair_count,
+            );
+            checked(status);
         }
     }
 }

@@ -1082,6 +1082,7 @@ unsafe extern "C" {
     pub fn fmc_context_vjp(context: *mut fmc_context, coords: *const fmc_coords, energy: f64, adjoint: *const fmc_coords, gradients: *const fmc_gradients, pairs: *mut fmc_pair_gradient, capacity: usize, count: *mut usize) -> fmc_status;
     pub fn fmc_directions_init(directions: *mut fmc_directions) -> fmc_status;
     pub fn fmc_context_jvp(context: *mut fmc_context, coords: *const fmc_coords, directions: *const fmc_directions, energy: *mut f64, forces: *mut f64) -> fmc_status;
+    pub fn fmc_equilibrium_adjoint(context: *mut fmc_context, problem: *const fmc_equilibrium_problem, by_x: *const f64, by_forces: *const f64, balance: *const f64, right: *mut f64, gradients: *const fmc_gradients, pairs: *mut fmc_pair_gradient, capacity: usize, count: *mut usize) -> fmc_status;
     pub fn fmc_context_set_pair_wear(context: *mut fmc_context, a_kind: i32, a: usize, b_kind: i32, b: usize, wear_a: f64, wear_b: f64) -> fmc_status;
     pub fn fmc_context_pair_wear(context: *const fmc_context, a_kind: i32, a: usize, b_kind: i32, b: usize, wear_a: *mut f64, wear_b: *mut f64) -> fmc_status;
     pub fn fmc_context_worn_depth(context: *const fmc_context, depth: *mut f64, capacity: usize, count: *mut usize) -> fmc_status;

@@ -1,11 +1,12 @@
 //! Derivatives: what is asked for, where it goes, and those by what a pair has.
 
 use super::evaluation::side_of;
+use super::slip_row;
 use crate::capi::boundary::failure::Failure;
 use crate::capi::boundary::given_struct::check_struct;
 use crate::capi::boundary::pointer::Output;
 use crate::capi::boundary::status::fmc_status::FMC_ERROR_UNKNOWN_FLAG;
-use crate::contact::{GradientRequest, PairGradient};
+use crate::contact::{GradientRequest, Gradients, PairGradient};
 
 /// Flag of `fmc_gradients`: by the stiffness of every pair that touches.
 pub const FMC_GRADIENT_STIFFNESS: u32 = 1;
@@ -153,4 +154,14 @@ pub(crate) struct GradientLists {
     pub(crate) pairs: Vec<fmc_pair_gradient>,
     /// By the slip at the start of the step, in rows.
     pub(crate) slip: Vec<f64>,
+}
+
+impl<const D: usize> From<Gradients<D>> for GradientLists {
+    fn from(found: Gradients<D>) -> Self {
+        let pairs = found.pairs.iter().map(fmc_pair_gradient::from).collect();
+        let by_nodes = [found.coords, found.reference, found.positions].map(Vec::into_flattened);
+        let [coords, reference, positions] = by_nodes;
+        let by_place = [coords, reference, positions, found.rotations.into_flattened()];
+        Self { by_place, pairs, slip: slip_row::rows(&found.slip) }
+    }
 }

@@ -353,6 +353,21 @@ FUNCTIONS: dict[str, tuple[Any, list[Any]]] = {
         c_int32,
         [fmc_context, POINTER(fmc_coords), POINTER(fmc_directions), Float64Array, Float64Array],
     ),
+    "fmc_equilibrium_adjoint": (
+        c_int32,
+        [
+            fmc_context,
+            POINTER(fmc_equilibrium_problem),
+            Float64Array,
+            Float64Array,
+            Float64Array,
+            Float64Array,
+            POINTER(fmc_gradients),
+            POINTER(fmc_pair_gradient),
+            c_size_t,
+            POINTER(c_size_t),
+        ],
+    ),
     "fmc_context_set_pair_wear": (c_int32, [fmc_context, c_int32, c_size_t, c_int32, c_size_t, c_double, c_double]),
     "fmc_context_pair_wear": (
         c_int32,

@@ -2,10 +2,14 @@
 
 use super::Resident;
 use crate::capi::boundary::failure::Failure;
+use crate::capi::boundary::index::IndexSize;
+use crate::capi::boundary::pointer::slice;
 use crate::capi::structs::directions::fmc_directions;
-use crate::capi::structs::gradients::{GradientLists, fmc_pair_gradient};
+use crate::capi::structs::equilibrium::fmc_equilibrium_problem;
+use crate::capi::structs::gradients::GradientLists;
 use crate::capi::structs::slip_row;
 use crate::capi::structs::view::{check_node_count, fmc_coords};
+use crate::contact::equilibrium::Goal;
 use crate::contact::{Directions, GradientRequest};
 
 impl<const D: usize> Resident<D> {
@@ -31,13 +35,7 @@ impl<const D: usize> Resident<D> {
         let found = unsafe {
             self.at(coords, index_base, |contact, rows| contact.vjp_of_step(rows, energy, adjoint, &slip, request))
         }?;
-        let flat = |rows: &[[f64; D]]| rows.as_flattened().to_vec();
-        let rotations = found.rotations.as_flattened().to_vec();
-        Ok(GradientLists {
-            by_place: [flat(&found.coords), flat(&found.reference), flat(&found.positions), rotations],
-            pairs: found.pairs.iter().map(fmc_pair_gradient::from).collect(),
-            slip: slip_row::rows(&found.slip),
-        })
+        Ok(found.into())
     }
 
     /// Rates of the energy and, in dense rows, of the forces.
@@ -63,5 +61,25 @@ impl<const D: usize> Resident<D> {
         // SAFETY: passed on to the caller.
         let found = unsafe { self.at(coords, index_base, |contact, rows| contact.jvp(rows, &directions)) }?;
         Ok((found.energy, found.forces.into_flattened()))
+    }
+
+    /// The right side and the derivatives of an adjoint.
+    pub(crate) unsafe fn adjoint(
+        &mut self,
+        (problem, size, index_base): (&fmc_equilibrium_problem, IndexSize, i32),
+        (by_x, by_forces): (&[f64], *const f64),
+        balance: Option<&[f64]>,
+        request: &GradientRequest,
+    ) -> Result<(Vec<f64>, GradientLists), Failure> {
+        let contact = self.contact_mut()?;
+        // SAFETY: passed on to the caller.
+        let (unknowns, x, _) = unsafe { problem.read::<D>(size, index_base) }?;
+        let by_forces = match by_forces.is_null() {
+            true => None,
+            // SAFETY: passed on to the caller.
+            false => Some(unsafe { slice("by_forces", by_forces, problem.row_count, D) }?.as_chunks().0),
+        };
+        let found = contact.adjoint(&unknowns, &x, &Goal { by_x, by_forces }, balance, request)?;
+        Ok((found.right, found.gradients.into()))
     }
 }

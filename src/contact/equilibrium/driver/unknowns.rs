@@ -22,7 +22,7 @@ pub struct Unknowns<const D: usize> {
 impl<const D: usize> Unknowns<D> {
     /// # Errors
     /// [`Error::Length`], [`Error::UnknownOutOfRange`], [`Error::NonFiniteCoordinate`].
-    pub(super) fn check(&self, row_count: usize) -> Result<(), Error> {
+    pub(in crate::contact::equilibrium) fn check(&self, row_count: usize) -> Result<(), Error> {
         let lengths = [
             ("base", row_count, self.base.len()),
             ("of_coordinate", row_count * D, self.of_coordinate.len()),
@@ -75,7 +75,7 @@ impl<const D: usize> Unknowns<D> {
     }
 
     /// Coordinates of the contact.
-    pub(super) fn coords(&self, x: &[f64]) -> Vec<[f64; D]> {
+    pub(in crate::contact::equilibrium) fn coords(&self, x: &[f64]) -> Vec<[f64; D]> {
         let mut coords = self.base.clone();
         for (coordinate, unknown) in coords.as_flattened_mut().iter_mut().zip(&self.of_coordinate) {
             *coordinate += unknown.map_or(0.0, |unknown| x[unknown]);
@@ -85,7 +85,7 @@ impl<const D: usize> Unknowns<D> {
     }
 
     /// Motion of the coordinates.
-    pub(super) fn spread(&self, step: &[f64]) -> Vec<[f64; D]> {
+    pub(in crate::contact::equilibrium) fn spread(&self, step: &[f64]) -> Vec<[f64; D]> {
         let mut motion = vec![[0.0; D]; self.base.len()];
         for (entry, unknown) in motion.as_flattened_mut().iter_mut().zip(&self.of_coordinate) {
             *entry = unknown.map_or(0.0, |unknown| step[unknown]);
@@ -126,7 +126,7 @@ impl<const D: usize> Unknowns<D> {
     }
 
     /// Forces on the coordinates, or what else is a derivative, on the unknowns.
-    pub(super) fn gather(&self, rows: &[[f64; D]]) -> Vec<f64> {
+    pub(in crate::contact::equilibrium) fn gather(&self, rows: &[[f64; D]]) -> Vec<f64> {
         let mut all = vec![0.0; self.count];
         for (entry, unknown) in rows.as_flattened().iter().zip(&self.of_coordinate) {
             if let Some(unknown) = unknown {
@@ -141,7 +141,7 @@ impl<const D: usize> Unknowns<D> {
     }
 
     /// A vector with zeros at unknowns that are not free.
-    pub(super) fn freed(&self, mut vector: Vec<f64>) -> Vec<f64> {
+    pub(in crate::contact::equilibrium) fn freed(&self, mut vector: Vec<f64>) -> Vec<f64> {
         vector.iter_mut().zip(&self.free).for_each(|(entry, free)| *entry = if *free { *entry } else { 0.0 });
         vector
     }
