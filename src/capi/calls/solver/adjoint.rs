@@ -10,15 +10,13 @@ use crate::capi::context::state::{fmc_context, write};
 use crate::capi::structs::equilibrium::fmc_equilibrium_problem;
 use crate::capi::structs::gradients::{fmc_gradients, fmc_pair_gradient};
 
-/// Derivatives of a number J(x, F) of an equilibrium, F being the contact forces on nodes, by what the equilibrium hangs on: two calls and
-/// one linear solve of the host between them. With R = internal less external forces, K = dR/dx, the contact's full tangent T and a = dJ/dF
-/// the adjoint b solves, at the free unknowns, with zeros at the others,
+/// Derivatives of a number J(x, F) of an equilibrium, F being the contact forces on nodes, by what the equilibrium hangs on: two calls, and
+/// one linear solve of the host between them. R are internal less external forces, K = dR/dx, T is the contact's full tangent and a = dJ/dF.
+/// The adjoint b is zero at unknowns that are not free, and in the rows of the others (K + T)^T b = dJ/dx - T^T a.
 ///
-///     (K + T)^T b = dJ/dx - T^T a
-///
-/// 1. With `balance` NULL `right` becomes dJ/dx - T^T a. 2. With `balance` = b, what `gradients` names becomes the total derivative of J by
-/// it, as `fmc_context_vjp` writes it, and `right` becomes dJ/dx - T^T (a + b): less K^T b it is the derivative by the value of an unknown
-/// that is not free. The host's part of dJ/dp is -b . dR/dp; a load has the derivative b. `coords` of `gradients` is by nodes that move by
+/// With `balance` NULL `right` becomes dJ/dx - T^T a. With `balance` = b, what `gradients` names becomes the total derivative of J by it, as
+/// `fmc_context_vjp` writes it, and `right` becomes dJ/dx - T^T (a + b): less K^T b it is the derivative by the value of an unknown that is
+/// not free. The host's part of dJ/dp is -b . dR/dp; a load has the derivative b. `coords` of `gradients` is by nodes that move by
 /// themselves, x held.
 ///
 /// `problem`: the unknowns as for `fmc_equilibrium_new`, its `x` the equilibrium, found by whatever solver; `prescribed` is not read.
