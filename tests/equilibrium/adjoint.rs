@@ -19,6 +19,9 @@ struct Press {
     young: f64,
 }
 
+/// Changes one of them by so much.
+type Change = fn(&mut Press, f64);
+
 const PRESS: Press = Press { push: 0.02, load: 2e3, floor: 0.0, stiffness: STIFFNESS, young: 1.0 };
 
 /// A block on a wider one on a floor, pressed by its top, whose nodes are held.
@@ -103,7 +106,7 @@ fn derivatives_are_those_of_the_search() {
     let by_push: f64 = tops.map(|node| -prescribed[2 * node + 1]).sum();
     let by_stiffness: f64 = found.gradients.pairs.iter().map(|pair| pair.stiffness).sum();
     assert_eq!(found.gradients.pairs.len(), 2);
-    let cases: [(&str, f64, f64, fn(&mut Press, f64)); 5] = [
+    let cases: [(&str, f64, f64, Change); 5] = [
         ("load", dot(&balance, &host.load) / PRESS.load, 1.0, |of, by| of.load += by),
         ("modulus", -dot(&balance, &forces), 1e-4, |of, by| of.young += by),
         ("prescribed", by_push, 1e-6, |of, by| of.push += by),
