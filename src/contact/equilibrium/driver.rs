@@ -20,74 +20,31 @@
 //! - `standing`: whether bodies that only contact holds stand;
 //! - `breaking`, `told_breaking`: cohesive interfaces that break on the way, for what is said where there is no equilibrium.
 //!
-//! `load_step`, `attempt`, `search` (the order of things, and what they share) · `check` (whether a host is one) · `compatible` (rigid motions where coordinates follow) · `conversation` (a procedure that asks) · `request`, `host`, `unknowns`
-//! (what of, and whom) · `state`, `balance` (bodies and contact, and when they balance) · `assembly`, `elastic`, `projected`, `joined` (nodes that a host joins), `rows`, `limit` (where bodies
-//! are, and how far they may go) · `quadratic` · `options`, `trouble`, `outcome` · `masses` (layers for explicit hosts)
+//! `asking` (what a search asks, and whom) · `bodies` (what is known of them) · `progress` (where it is) · `ways` (to an equilibrium) · `told` (what is said
+//! of it) · `steps` (the order of things)
 
-mod along;
-mod assembly;
-mod attempt;
-mod balance;
-mod breaking;
-mod check;
-mod compatible;
-mod conversation;
-mod downhill;
-mod elastic;
-mod falling;
-mod falling_load;
-mod host;
-mod joined;
-mod layers;
-mod levels;
-mod limit;
-mod load_step;
-mod locking;
-mod masses;
-mod motions;
-mod nearest;
-mod options;
-mod outcome;
-mod overlaps;
-mod parts;
-mod patches;
-mod projected;
-mod quadratic;
-mod request;
-mod rounded;
-mod rows;
-mod search;
-mod secant;
-mod settle;
-mod softly;
-mod standing;
-mod state;
-mod stuck;
-mod told_breaking;
-mod trouble;
-mod turned;
-mod unchanged;
-mod uncommitted;
-mod unknowns;
-mod unloaded;
-mod updates;
-mod within_facets;
+mod asking;
+mod bodies;
+mod progress;
+mod steps;
+mod told;
+mod ways;
 
-pub use limit::StepLimit;
-pub(super) use limit::step_limit;
-pub(super) use masses::layers_of_masses;
-pub use options::DriverOptions;
-pub use outcome::{Found, Refusal, Way};
-pub use request::{Answer, Request};
-pub use trouble::Unheld;
-pub use unknowns::Unknowns;
+pub use asking::options::DriverOptions;
+pub use asking::outcome::{Found, Refusal, Way};
+pub use asking::request::{Answer, Request};
+pub use asking::trouble::Unheld;
+pub use asking::unknowns::Unknowns;
+pub use bodies::limit::StepLimit;
+pub(super) use bodies::limit::step_limit;
+pub(super) use bodies::masses::layers_of_masses;
 
 use crate::Error;
 use crate::contact::evaluation::Contact;
-use attempt::LoadStep;
-use check::check_host;
-use conversation::{Conversation, Turn};
-use load_step::load_step;
+use asking::conversation::{Conversation, Turn};
+use steps::attempt::LoadStep;
+use steps::check::check_host;
+use steps::load_step::load_step;
 
 /// A search for the equilibrium at the end of one load step.
 pub struct Equilibrium<const D: usize> {

@@ -1,0 +1,53 @@
+//! What holds bodies that the host's matrix does not, at an equilibrium.
+
+use crate::contact::equilibrium::driver::asking::host::System;
+use crate::contact::equilibrium::driver::asking::trouble::{Trouble, Unheld};
+use crate::contact::equilibrium::driver::bodies::motions::{combined, pencil};
+use crate::contact::equilibrium::driver::progress::search::Search;
+use crate::contact::equilibrium::driver::progress::state::State;
+use crate::contact::tangents::TangentPart;
+use nalgebra::{DMatrix, DVector};
+
+/// Part of the diagonal that keeps the matrix regular where nothing holds a body.
+const SHIFT: f64 = 1e-11;
+
+/// Stiffness of all nodes alone along a motion, by what holds it, above which it is free.
+const FREE: f64 = 1e10;
+
+/// Warns of motions that nothing holds, or that lead away.
+pub(crate) async fn standing<const D: usize>(search: &mut Search<D>, state: &State<D>) -> Result<(), Trouble> {
+    let count = search.motions.count();
+    if count == 0 {
+        return Ok(());
+    }
+    let (mut compliance, mut moved) = (DMatrix::zeros(count, count), Vec::with_capacity(count));
+    for col in 0..count {
+        let system = System { x: &state.x, part: TangentPart::Symmetric, shift: SHIFT };
+        let load = search.motions.weighted(&search.motions.fields[col]);
+        let Ok(found) = search.host.solve(system, load).await else { return Ok(()) };
+        compliance.set_column(col, &search.motions.along(&search.motions.weighted(&found)));
+        moved.push(found);
+    }
+    let symmetric = 0.5 * (&compliance + compliance.transpose());
+    let alone = DMatrix::from_diagonal(&DVector::from_column_slice(&search.motions.diagonal));
+    let (values, vectors) = pencil(&symmetric, &alone);
+    for (k, value) in values.into_iter().enumerate() {
+        let what = match value {
+            value if value < 0.0 => "unstable",
+            value if value > FREE => "free",
+            _ => continue,
+        };
+        // What was solved is exact in its direction, less so in its size.
+        let motion = search.host.unknowns.spread(&combined(&moved, &vectors.column(k).into_owned()));
+        if let Some(mut mover) = search.assembly.mover(&motion) {
+            // Both ways are free, or lead away.
+            let main = mover.direction[mover.direction.iamax()];
+            mover.direction *= if main < 0.0 { -1.0 } else { 1.0 };
+            search.warn(format!("{what}: {mover}"));
+            if value > FREE {
+                search.free.push(Unheld::from(&mover));
+            }
+        }
+    }
+    Ok(())
+}
