@@ -2,6 +2,7 @@
 
 use crate::contact::equilibrium::driver::asking::host::System;
 use crate::contact::equilibrium::driver::asking::trouble::{Trouble, Unheld};
+use crate::contact::equilibrium::driver::asking::unknowns::{dot, largest, moved};
 use crate::contact::equilibrium::driver::bodies::motions::{combined, pencil};
 use crate::contact::equilibrium::driver::progress::search::Search;
 use crate::contact::equilibrium::driver::progress::state::State;
@@ -14,19 +15,22 @@ const SHIFT: f64 = 1e-11;
 /// Stiffness of all nodes alone along a motion, by what holds it, above which it is free.
 const FREE: f64 = 1e10;
 
+/// How far bodies are moved to see what holds them, by their penetration: what slides sticks after less when it comes back.
+const ASIDE: f64 = 1e-4;
+
 /// Warns of motions that nothing holds, or that lead away.
 pub(crate) async fn standing<const D: usize>(search: &mut Search<D>, state: &State<D>) -> Result<(), Trouble> {
     let count = search.motions.count();
     if count == 0 {
         return Ok(());
     }
-    let (mut compliance, mut moved) = (DMatrix::zeros(count, count), Vec::with_capacity(count));
+    let (mut compliance, mut answers) = (DMatrix::zeros(count, count), Vec::with_capacity(count));
     for col in 0..count {
         let system = System { x: &state.x, part: TangentPart::Symmetric, shift: SHIFT };
         let load = search.motions.weighted(&search.motions.fields[col]);
         let Ok(found) = search.host.solve(system, load).await else { return Ok(()) };
         compliance.set_column(col, &search.motions.along(&search.motions.weighted(&found)));
-        moved.push(found);
+        answers.push(found);
     }
     let symmetric = 0.5 * (&compliance + compliance.transpose());
     let alone = DMatrix::from_diagonal(&DVector::from_column_slice(&search.motions.diagonal));
@@ -38,7 +42,11 @@ pub(crate) async fn standing<const D: usize>(search: &mut Search<D>, state: &Sta
             _ => continue,
         };
         // What was solved is exact in its direction, less so in its size.
-        let motion = search.host.unknowns.spread(&combined(&moved, &vectors.column(k).into_owned()));
+        let motion = combined(&answers, &vectors.column(k).into_owned());
+        if search.has_friction && is_held_back(search, state, &motion).await? {
+            continue;
+        }
+        let motion = search.host.unknowns.spread(&motion);
         if let Some(mut mover) = search.assembly.mover(&motion) {
             // Both ways are free, or lead away.
             let main = mover.direction[mover.direction.iamax()];
@@ -50,4 +58,27 @@ pub(crate) async fn standing<const D: usize>(search: &mut Search<D>, state: &Sta
         }
     }
     Ok(())
+}
+
+/// Whether friction holds bodies that are moved a little, either way: facets that slide one way stick the other way, of which the tangent knows
+/// nothing. A plank that slides on two supports at once is held by that.
+async fn is_held_back<const D: usize>(search: &Search<D>, state: &State<D>, motion: &[f64]) -> Result<bool, Trouble> {
+    let (size, penetration) = (largest(motion), state.contact.penetration);
+    if state.contact.friction.slip_area == 0.0 || size == 0.0 || penetration == 0.0 {
+        return Ok(false);
+    }
+    let step: Vec<f64> = motion.iter().map(|entry| entry * (ASIDE * penetration / size)).collect();
+    let alone = dot(&step, &search.motions.weighted(&step));
+    let mut is_held = true;
+    for way in [1.0, -1.0] {
+        let Ok(aside) = State::at(&search.host, moved(&state.x, way, &step), false).await else {
+            is_held = false;
+            continue;
+        };
+        let pushed = moved(&aside.residual, -1.0, &state.residual);
+        is_held &= way * dot(&search.host.unknowns.freed(pushed), &step) * FREE > alone;
+    }
+    // The host is left at the equilibrium.
+    search.host.forces(&state.x, false).await?;
+    Ok(is_held)
 }
