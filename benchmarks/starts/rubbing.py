@@ -27,7 +27,7 @@ def overhang(friction, over, below, above):
     held = [bodies.unknowns(0, lambda x: x[1] < 1e-9)]
     borne = Expected("borne/W", lambda found: found.result.bodies[1].force[1] / (0.25 * WEIGHT), 1.0, 1e-7, "statics")
     still = Expected("largest u", lambda found: np.abs(found.x).max(), 0.0, 0.01, "bending alone")
-    step = Step(bodies.host(load), bodies.free(held), expected=(borne, still), most_solves=45)
+    step = Step(bodies.host(load), bodies.free(held), expected=(borne, still), most_solves=50)
     return Problem(contact_of(bodies, friction_coefficient=friction), np.zeros(bodies.size), [step], True)
 
 
