@@ -4,7 +4,7 @@
 //! `distances` (of points from a surface) · `node_depths` · `cell_parts` (a cell as simplices) · `divide` (simplices
 //! about points) · `incentre` · `near_surface` and `cell_division` (cells that have nodes on the surface) · `divisions`
 //! and `field` (what is kept) · `curves` and
-//! `heights_in_cells` (curved faces) · `pieces` (the simplices on which the field is linear, where they are) · `tied_layer` (what does not count) · `point_origin`,
+//! `heights_in_cells` (curved faces), `rims` (where they end) · `pieces` (the simplices on which the field is linear, where they are) · `tied_layer` (what does not count) · `point_origin`,
 //! `incentre_slopes` and `reference_slopes` (how the field changes as the reference moves).
 
 mod cell_division;
@@ -23,6 +23,7 @@ mod node_depths;
 mod pieces;
 mod point_origin;
 mod reference_slopes;
+mod rims;
 mod tied_layer;
 
 pub(crate) use curves::{Curves, Quadratic};

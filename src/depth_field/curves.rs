@@ -2,6 +2,7 @@
 
 use super::divisions::Divisions;
 use super::heights_in_cells::{HeightsInCells, SagTerm};
+use super::rims::at_rims;
 use crate::geometry::cells::Cells;
 use crate::geometry::facet_sags::{FacetSag, FacetSags};
 use crate::geometry::{Surface, Vector};
@@ -15,6 +16,8 @@ pub(crate) struct Curves<const D: usize> {
     heights: Vec<f64>,
     /// Whether a facet is surface.
     is_surface: Vec<bool>,
+    /// Whether it lies along a rim.
+    at_rims: Vec<bool>,
     /// Vertices without deformation.
     points: Vec<Vector<D>>,
     /// Facets around every vertex, one after the other, and where they begin.
@@ -83,12 +86,19 @@ impl<const D: usize> Curves<D> {
             }
         }
         let points = surface.points(surface.reference());
-        Some(Self { facets, heights, is_surface, points, around, starts, cells: of_cells })
+        let of_vertex = |vertex: u32| &around[starts[vertex as usize] as usize..starts[vertex as usize + 1] as usize];
+        let at_rims = at_rims(&surface.facets, &facets, &is_surface, of_vertex);
+        Some(Self { facets, heights, is_surface, at_rims, points, around, starts, cells: of_cells })
     }
 
     /// The height of the surface above a facet.
     pub(crate) fn facet(&self, facet: usize) -> &FacetSag<D> {
         &self.facets[facet]
+    }
+
+    /// Whether a facet lies along a rim, where the depth has less than its height.
+    pub(crate) fn is_at_rim(&self, facet: usize) -> bool {
+        self.at_rims[facet]
     }
 
     /// Whether a facet is surface.

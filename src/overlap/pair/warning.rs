@@ -171,6 +171,8 @@ pub enum Smoothing {
     NotSet,
     /// It is set, but facets meet at more than its angle.
     AngleTooSmall,
+    /// Curved faces press along rims, where they end at flat ones.
+    AtRims,
     /// It does not measure such pairs: a body with an obstacle, or with itself.
     NotForSuchPairs,
 }
@@ -182,6 +184,7 @@ impl fmt::Display for Smoothing {
             Smoothing::AngleTooSmall => {
                 "facets meet at more than the angle of set_surface_smoothing: raise the angle, or "
             }
+            Smoothing::AtRims => "along rims curved faces are less accurate: name flat ends as planes of symmetry, or ",
             Smoothing::NotForSuchPairs => "",
         })
     }
