@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from fmc_contact.errors import NotPositiveError
 from fmc_contact_skfem import SkfemContact
-from skfem import Basis, ElementQuad1, ElementVector, MeshQuad
+from skfem import Basis, ElementHex1, ElementQuad1, ElementVector, MeshHex, MeshQuad
 
 
 def sector(inner, outer, count):
@@ -32,3 +32,26 @@ def test_the_adapter_hands_it_on():
     assert np.array_equal(adapter.force(u), straight)
     with pytest.raises(NotPositiveError, match="feature_angle"):
         adapter.set_surface_smoothing(90.0)
+
+
+def solid_ring(inner, outer, count):
+    """A quarter of a ring, 5 high."""
+    angles = np.linspace(0, np.pi / 2, count + 1)
+    mesh = MeshHex.init_tensor(np.linspace(inner, outer, 3), angles, np.linspace(0, 5, 2))
+    radius, angle, height = mesh.p
+    return MeshHex(np.stack([radius * np.cos(angle), radius * np.sin(angle), height]), mesh.t)
+
+
+def test_rims_that_press_with_the_sag_of_one_side_are_told():
+    # A pin in its hole: a clearance of 0.03 is left, the sag of both sides is 0.048.
+    bases = [Basis(mesh, ElementVector(ElementHex1())) for mesh in (solid_ring(5, 10, 8), solid_ring(10.05, 20, 8))]
+    adapter = SkfemContact([(bases[0], 0), (bases[1], bases[0].N)], stiffness=1e6)
+    u = np.zeros(adapter.size)
+    u[: bases[0].N] = bases[0].project(lambda x: np.stack([0.02 * x[0], 0.02 * x[1], 0 * x[2]]) / np.hypot(x[0], x[1]))
+    adapter.set_surface_smoothing(30.0)
+    told = [warning.text for warning in adapter.evaluate(u).warnings if warning.kind == "curved_faces"]
+    assert len(told) == 1 and "along rims" in told[0] and "planes of symmetry" in told[0]
+    # Its ends are no rims where bodies go on behind them.
+    adapter.contact.mesh.set_symmetry_planes([([0, 0, 0], [0, 0, 1]), ([0, 0, 5], [0, 0, 1]), ([0, 0, 0], [1, 0, 0]), ([0, 0, 0], [0, 1, 0])])
+    held = adapter.evaluate(u)
+    assert not held.forces.any() and "curved_faces" not in [warning.kind for warning in held.warnings]
