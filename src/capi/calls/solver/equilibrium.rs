@@ -179,7 +179,9 @@ pub unsafe extern "C" fn fmc_equilibrium_text(equilibrium: *const fmc_equilibriu
     state.ok().and_then(|state| state.texts.get(number).map(|text| text.as_ptr())).unwrap_or(std::ptr::null())
 }
 
-/// Frees a search and sets the host's pointer to NULL. Does nothing for a NULL pointer, or a pointer to NULL.
+/// Frees a search and sets the host's pointer to NULL. Does nothing for a NULL pointer, or a pointer to NULL. One that has not ended
+/// leaves the context in mid-search, with friction that is frozen or softer, and multipliers: answer with refusals until it ends, and
+/// all is as before.
 ///
 /// Errors: none. Threads: no other call on it may be running or follow.
 #[unsafe(no_mangle)]

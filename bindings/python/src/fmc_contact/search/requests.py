@@ -19,10 +19,15 @@ from .._structs import (
     fmc_equilibrium_request,
     fmc_equilibrium_result,
 )
+from ..errors import FmcError
 from .bodies import CondensedSteps
 from .host import Host, Refused
 from .together import together
 from .unknowns import Moved
+
+
+_MOST_REFUSALS = 10_000
+"""Far more than a search asks for where all is refused."""
 
 
 def _free(pointer: fmc_equilibrium) -> None:
@@ -79,7 +84,27 @@ class Search:
         weakref.finalize(self, _free, self.pointer).atexit = False
 
     def run(self) -> None:
-        """Answers until the search has ended."""
+        """Answers until the search has ended. If the host ends it by an error, the contact is as it was before."""
+        try:
+            self._answer()
+        except BaseException:
+            self._abandon()
+            raise
+
+    def _abandon(self) -> None:
+        """Refuses all that is asked for, so that the search takes back what it has changed."""
+        request, answer, why = fmc_equilibrium_request(), fmc_equilibrium_answer(), create_string_buffer(b"abandoned")
+        check(library.fmc_equilibrium_answer_init(byref(answer)))
+        answer.refusal = addressof(why)
+        for _ in range(_MOST_REFUSALS):
+            try:
+                self.handle.call(library.fmc_equilibrium_next, self.pointer, byref(answer), byref(request))
+            except FmcError:
+                return
+            if FMC_EQUILIBRIUM_REQUEST_KIND[request.kind] in ("found", "refused"):
+                return
+
+    def _answer(self) -> None:
         request, answer = fmc_equilibrium_request(), None
         while True:
             together(self.bodies.comm, lambda: self.handle.call(library.fmc_equilibrium_next, self.pointer, answer, byref(request)))

@@ -39,7 +39,7 @@ pub(crate) async fn softly<const D: usize>(search: &mut Search<D>, start: &[f64]
             0 => (Begin::Hardened, Enough::Balanced),
             _ => (Begin::Full, Enough::Roughly(ENOUGH, above)),
         };
-        stick(search, f64::from(exponent).exp2()).await;
+        stick(search, 0.5_f64.powi(-exponent)).await;
         let found = by_whole_steps(search, &x, begin, enough).await;
         stick(search, 1.0).await;
         match found? {
