@@ -2251,7 +2251,9 @@ fmc_status fmc_equilibrium_found(fmc_equilibrium *equilibrium,
 const char *fmc_equilibrium_text(const fmc_equilibrium *equilibrium,
                                  size_t number);
 
-// Frees a search and sets the host's pointer to NULL. Does nothing for a NULL pointer, or a pointer to NULL.
+// Frees a search and sets the host's pointer to NULL. Does nothing for a NULL pointer, or a pointer to NULL. One that has not ended
+// leaves the context in mid-search, with friction that is frozen or softer, and multipliers: answer with refusals until it ends, and
+// all is as before.
 //
 // Errors: none. Threads: no other call on it may be running or follow.
 fmc_status fmc_equilibrium_free(fmc_equilibrium **equilibrium);

@@ -105,13 +105,24 @@ class EquilibriumSearch {
   std::unique_ptr<fmc_equilibrium, Free> search_;
 };
 
+// Refuses all that is asked for until a search has ended, so that the contact is as it was before.
+inline void abandon(Context &context, const EquilibriumSearch &search) noexcept {
+  fmc_equilibrium_request request;
+  fmc_equilibrium_answer refusal;
+  if (fmc_equilibrium_answer_init(&refusal) != FMC_OK) return;
+  refusal.refusal = "abandoned";
+  for (int k = 0; k < 10000; ++k) {  // Far more than a search asks for where all is refused.
+    if (fmc_equilibrium_next(context.get(), search.get(), &refusal, &request) != FMC_OK) return;
+    if (request.kind == FMC_REQUEST_FOUND || request.kind == FMC_REQUEST_REFUSED) return;
+  }
+}
+
 }  // namespace detail
 
-// The equilibrium at the end of a load step: see `fmc_equilibrium_next`. What a function of the host throws comes out of it.
-inline Equilibrium find_equilibrium(Context &context, const EquilibriumProblem &problem, const EquilibriumHost &host,
-                                    const EquilibriumOptions &options = {}) {
-  const detail::EquilibriumSearch search(context, problem, options);
-  const std::size_t count = problem.x.size();
+namespace detail {
+
+// Asks the host until the search has ended.
+inline Equilibrium answered(Context &context, const EquilibriumSearch &search, const EquilibriumHost &host, std::size_t count) {
   std::vector<double> found(count);
   fmc_equilibrium_request request;
   fmc_equilibrium_answer answer;
@@ -155,6 +166,21 @@ inline Equilibrium find_equilibrium(Context &context, const EquilibriumProblem &
     }
     answer.vector = is_there ? found.data() : nullptr;
     given = &answer;
+  }
+}
+
+}  // namespace detail
+
+// The equilibrium at the end of a load step: see `fmc_equilibrium_next`. What a function of the host throws comes out of it; the contact is
+// then as it was before.
+inline Equilibrium find_equilibrium(Context &context, const EquilibriumProblem &problem, const EquilibriumHost &host,
+                                    const EquilibriumOptions &options = {}) {
+  const detail::EquilibriumSearch search(context, problem, options);
+  try {
+    return detail::answered(context, search, host, problem.x.size());
+  } catch (...) {
+    detail::abandon(context, search);
+    throw;
   }
 }
 

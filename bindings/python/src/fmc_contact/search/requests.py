@@ -25,7 +25,6 @@ from .host import Host, Refused
 from .together import together
 from .unknowns import Moved
 
-
 _MOST_REFUSALS = 10_000
 """Far more than a search asks for where all is refused."""
 
