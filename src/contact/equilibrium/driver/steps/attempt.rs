@@ -90,8 +90,8 @@ async fn rubbing<const D: usize>(search: &mut Search<D>, x: &[f64]) -> Result<Re
     let is_soft = search.has_friction && !search.options.is_lagged;
     if is_soft && search.motions.count() <= of_one_body(D) {
         return match softly(search, x).await? {
-            Softly::Found(state, verdict) => Ok(Reached { state, verdict, way: Way::Nearest }),
-            Softly::From(x) => Ok(down(downhill(search, &x).await?)),
+            Softly { found: Some((state, verdict)), .. } => Ok(Reached { state, verdict, way: Way::Nearest }),
+            Softly { x, .. } => Ok(down(downhill(search, &x).await?)),
         };
     }
     let trouble = match downhill(search, x).await {
@@ -99,9 +99,9 @@ async fn rubbing<const D: usize>(search: &mut Search<D>, x: &[f64]) -> Result<Re
         Err(trouble @ (Trouble::Failed(_) | Trouble::Adrift(..))) if is_soft && search.may_go_on() => trouble,
         Err(trouble) => return Err(trouble),
     };
-    match softly(search, x).await? {
-        Softly::Found(state, verdict) => Ok(Reached { state, verdict, way: Way::Nearest }),
-        Softly::From(_) => Err(trouble),
+    match softly(search, x).await?.found {
+        Some((state, verdict)) => Ok(Reached { state, verdict, way: Way::Nearest }),
+        None => Err(trouble),
     }
 }
 

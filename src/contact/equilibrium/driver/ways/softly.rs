@@ -24,10 +24,10 @@ const ABOVE_FIRST: usize = 8;
 const ABOVE: usize = 2;
 
 /// Where softer friction has led to.
-pub(crate) enum Softly<const D: usize> {
-    Found(State<D>, Verdict),
+pub(crate) struct Softly<const D: usize> {
+    pub(crate) found: Option<(State<D>, Verdict)>,
     /// As far as it leads.
-    From(Vec<f64>),
+    pub(crate) x: Vec<f64>,
 }
 
 /// The equilibrium, or a place near it.
@@ -43,9 +43,9 @@ pub(crate) async fn softly<const D: usize>(search: &mut Search<D>, start: &[f64]
         let found = by_whole_steps(search, &x, begin, enough).await;
         stick(search, 1.0).await;
         match found? {
-            Some((state, verdict)) if exponent == 0 => return Ok(Softly::Found(state, verdict)),
+            found @ Some(_) if exponent == 0 => return Ok(Softly { found, x }),
             Some((state, _)) => x = state.x,
-            None => return Ok(Softly::From(x)),
+            None => return Ok(Softly { found: None, x }),
         }
         (exponent, above) = ((exponent + HARDER).min(0), ABOVE);
     }
