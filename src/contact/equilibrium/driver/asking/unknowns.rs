@@ -1,6 +1,7 @@
 //! Which unknown of a host moves which coordinate of the contact.
 
 use crate::Error;
+use nalgebra::DVector;
 use std::collections::BTreeMap;
 
 /// The unknowns of a host, in the contact's eyes: x = base + the unknown, coordinate by coordinate.
@@ -167,4 +168,13 @@ pub(crate) fn largest(a: &[f64]) -> f64 {
 /// a + t b.
 pub(crate) fn moved(a: &[f64], t: f64, b: &[f64]) -> Vec<f64> {
     a.iter().zip(b).map(|(a, b)| a + t * b).collect()
+}
+
+/// Σ q v.
+pub(crate) fn combined(fields: &[Vec<f64>], q: &DVector<f64>) -> Vec<f64> {
+    let mut sum = vec![0.0; fields.first().map_or(0, Vec::len)];
+    for (field, part) in fields.iter().zip(q.iter()).filter(|(_, part)| **part != 0.0) {
+        sum.iter_mut().zip(field).for_each(|(entry, value)| *entry += part * value);
+    }
+    sum
 }

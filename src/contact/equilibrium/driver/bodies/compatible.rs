@@ -2,7 +2,7 @@
 //!
 //! A body that turns about a point far away turns about its centre and is moved, both at once: neither alone need be possible.
 
-use crate::contact::equilibrium::driver::asking::unknowns::Unknowns;
+use crate::contact::equilibrium::driver::asking::unknowns::{Unknowns, combined};
 use nalgebra::{DMatrix, SymmetricEigen};
 
 /// Part of the squares of what motions miss that is rounding.
@@ -44,13 +44,9 @@ pub(crate) fn compatible<const D: usize>(
         return found;
     }
     let parts = SymmetricEigen::new(DMatrix::from_fn(rest.len(), rest.len(), |a, b| product(rest[a], rest[b])));
+    let rest: Vec<Vec<f64>> = rest.iter().map(|&k| fields[k].clone()).collect();
     for k in (0..rest.len()).filter(|&k| parts.eigenvalues[k] <= enough) {
-        let mut sum = vec![0.0; unknowns.count];
-        for (place, &motion) in rest.iter().enumerate() {
-            let part = parts.eigenvectors[(place, k)];
-            sum.iter_mut().zip(&fields[motion]).for_each(|(sum, entry)| *sum += part * entry);
-        }
-        found.push(sum);
+        found.push(combined(&rest, &parts.eigenvectors.column(k).into_owned()));
     }
     found
 }

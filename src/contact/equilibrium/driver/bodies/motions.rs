@@ -5,7 +5,7 @@ use super::joined::own_diagonal;
 use crate::contact::equilibrium::driver::asking::assembly::Assembly;
 use crate::contact::equilibrium::driver::asking::host::Host;
 use crate::contact::equilibrium::driver::asking::trouble::Trouble;
-use crate::contact::equilibrium::driver::asking::unknowns::{Unknowns, dot, largest};
+use crate::contact::equilibrium::driver::asking::unknowns::{Unknowns, combined, dot, largest};
 use crate::geometry::Vector;
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
 
@@ -209,15 +209,6 @@ async fn constraints<const D: usize>(
         (0..product.len()).map(of).collect()
     };
     Ok(products.iter().map(asked).collect())
-}
-
-/// Σ q v.
-pub(crate) fn combined(fields: &[Vec<f64>], q: &DVector<f64>) -> Vec<f64> {
-    let mut sum = vec![0.0; fields.first().map_or(0, Vec::len)];
-    for (field, part) in fields.iter().zip(q.iter()).filter(|(_, part)| **part != 0.0) {
-        sum.iter_mut().zip(field).for_each(|(entry, value)| *entry += part * value);
-    }
-    sum
 }
 
 /// Translations and rotations of a body, as far as its unknowns are free.

@@ -2,8 +2,8 @@
 
 use crate::contact::equilibrium::driver::asking::host::System;
 use crate::contact::equilibrium::driver::asking::trouble::{Trouble, Unheld};
-use crate::contact::equilibrium::driver::asking::unknowns::{dot, largest, moved};
-use crate::contact::equilibrium::driver::bodies::motions::{combined, pencil};
+use crate::contact::equilibrium::driver::asking::unknowns::{combined, dot, largest, moved};
+use crate::contact::equilibrium::driver::bodies::motions::pencil;
 use crate::contact::equilibrium::driver::progress::search::Search;
 use crate::contact::equilibrium::driver::progress::state::State;
 use crate::contact::tangents::TangentPart;
@@ -71,12 +71,14 @@ async fn is_held_back<const D: usize>(search: &Search<D>, state: &State<D>, moti
     let alone = dot(&step, &search.motions.weighted(&step));
     let mut is_held = true;
     for way in [1.0, -1.0] {
-        let Ok(aside) = State::at(&search.host, moved(&state.x, way, &step), false).await else {
-            is_held = false;
-            continue;
-        };
-        let pushed = moved(&aside.residual, -1.0, &state.residual);
-        is_held &= way * dot(&search.host.unknowns.freed(pushed), &step) * FREE > alone;
+        let aside = State::at(&search.host, moved(&state.x, way, &step), false).await;
+        is_held = aside.is_ok_and(|aside| {
+            let pushed = moved(&aside.residual, -1.0, &state.residual);
+            way * dot(&search.host.unknowns.freed(pushed), &step) * FREE > alone
+        });
+        if !is_held {
+            break;
+        }
     }
     // The host is left at the equilibrium.
     search.host.forces(&state.x, false).await?;
