@@ -2238,6 +2238,14 @@ fmc_status fmc_equilibrium_next(fmc_context *context,
                                 const fmc_equilibrium_answer *answer,
                                 fmc_equilibrium_request *request);
 
+// Gives up a search that has not ended, as where the host can answer no more: friction and multipliers of the context are what they were
+// before it, and the search has ended with a refusal. Does nothing where it has ended.
+//
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_UNSUPPORTED` for a context of another dimension, `FMC_ERROR_BUSY`. Threads: one call at a
+// time on a search and its context.
+fmc_status fmc_equilibrium_abandon(fmc_context *context,
+                                   fmc_equilibrium *equilibrium);
+
 // What a search that has ended has led to.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NO_STEP` while it goes on, `FMC_ERROR_BUSY`. Threads: one call at a time on a search.
@@ -2252,8 +2260,8 @@ const char *fmc_equilibrium_text(const fmc_equilibrium *equilibrium,
                                  size_t number);
 
 // Frees a search and sets the host's pointer to NULL. Does nothing for a NULL pointer, or a pointer to NULL. One that has not ended
-// leaves the context in mid-search, with friction that is frozen or softer, and multipliers: answer with refusals until it ends, and
-// all is as before.
+// leaves the context in mid-search, with friction that is frozen or softer, and multipliers: `fmc_equilibrium_abandon` before it takes
+// them back.
 //
 // Errors: none. Threads: no other call on it may be running or follow.
 fmc_status fmc_equilibrium_free(fmc_equilibrium **equilibrium);

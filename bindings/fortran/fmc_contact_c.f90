@@ -1478,6 +1478,12 @@ module fmc_contact_c
       type(fmc_equilibrium_request), intent(inout), optional :: request
       integer(c_int32_t) :: fmc_equilibrium_next
     end function
+    function fmc_equilibrium_abandon(context, equilibrium) bind(c)
+      import
+      type(c_ptr), value :: context
+      type(c_ptr), value :: equilibrium
+      integer(c_int32_t) :: fmc_equilibrium_abandon
+    end function
     function fmc_equilibrium_found(equilibrium, result) bind(c)
       import
       type(c_ptr), value :: equilibrium

@@ -105,22 +105,6 @@ class EquilibriumSearch {
   std::unique_ptr<fmc_equilibrium, Free> search_;
 };
 
-// Refuses all that is asked for until a search has ended, so that the contact is as it was before.
-inline void abandon(Context &context, const EquilibriumSearch &search) noexcept {
-  fmc_equilibrium_request request;
-  fmc_equilibrium_answer refusal;
-  if (fmc_equilibrium_answer_init(&refusal) != FMC_OK) return;
-  refusal.refusal = "abandoned";
-  for (int k = 0; k < 10000; ++k) {  // Far more than a search asks for where all is refused.
-    if (fmc_equilibrium_next(context.get(), search.get(), &refusal, &request) != FMC_OK) return;
-    if (request.kind == FMC_REQUEST_FOUND || request.kind == FMC_REQUEST_REFUSED) return;
-  }
-}
-
-}  // namespace detail
-
-namespace detail {
-
 // Asks the host until the search has ended.
 inline Equilibrium answered(Context &context, const EquilibriumSearch &search, const EquilibriumHost &host, std::size_t count) {
   std::vector<double> found(count);
@@ -179,7 +163,7 @@ inline Equilibrium find_equilibrium(Context &context, const EquilibriumProblem &
   try {
     return detail::answered(context, search, host, problem.x.size());
   } catch (...) {
-    detail::abandon(context, search);
+    fmc_equilibrium_abandon(context.get(), search.get());
     throw;
   }
 }

@@ -82,3 +82,42 @@ fn no_stiffness_is_told() {
     assert_eq!(contact.tangent(&host.coords, Default::default()).unwrap_err(), Error::NoStiffness);
     contact.gap_constraints(&host.coords, 0.1).unwrap();
 }
+
+/// Given up after any answer, a search leaves the forces of before, to the bit, and has ended. It rubs, moves surfaces out, and makes the
+/// contact stiffer on the way.
+#[test]
+fn a_search_that_is_given_up_leaves_nothing_behind() {
+    let mut host = Host::new(&[Block::unit(0.0, 0.0, 4), Block::unit(0.2, 1.0, 3)]);
+    host.hold(0, |x| x[1] < 1e-9);
+    host.hold(1, |x| x[1] < 1e-9);
+    host.add_weight(1, [0.2, -1.0]);
+    let mut contact = host.contact(None, 0.5);
+    let first = host.solved(&mut contact, None).unwrap();
+    let placed: Vec<[f64; 2]> =
+        host.coords.iter().zip(first.x.as_chunks::<2>().0).map(|(x, u)| [x[0] + u[0], x[1] + u[1]]).collect();
+    contact.commit_step(&placed).unwrap();
+    // Another load: nothing is taken up.
+    host.add_weight(1, [0.1, -1.0]);
+    let options = DriverOptions { penetration: 1e-11, ..DriverOptions::default() };
+    let wanted = (contact.evaluate(&placed).unwrap(), contact.multipliers());
+    for answers in 0.. {
+        let start = first.x.clone();
+        let mut search = Equilibrium::new(&contact, host.unknowns(), &start, None, options).unwrap();
+        let mut answer = None;
+        for _ in 0..=answers {
+            let Next::Asked(request) = search.next(&mut contact, answer).unwrap() else { break };
+            let request = request.clone();
+            answer = Some(host.answer(&contact, &request));
+        }
+        if let Some(Next::Found(found)) = search.now() {
+            assert!(answers > 50, "it has ended after {answers} answers");
+            search.abandon(&mut contact);
+            assert!(matches!(search.now(), Some(Next::Found(_))), "what has ended stays");
+            assert_ne!(contact.multipliers(), wanted.1, "nothing has happened");
+            return;
+        }
+        search.abandon(&mut contact);
+        assert!(matches!(search.next(&mut contact, None), Ok(Next::Refused(why)) if why.text.contains("given")));
+        assert_eq!((contact.evaluate(&placed).unwrap(), contact.multipliers()), wanted, "after {answers} answers");
+    }
+}

@@ -1,7 +1,7 @@
 //! Searches for an equilibrium that are begun, and left after a few answers; and limits of steps.
 
 use super::Host;
-use super::array::{Array, CANARY, checked, unless};
+use super::array::{Array, CANARY, checked, is_null, unless};
 use super::numbers::Numbers;
 use crate::guarded::Guarded;
 use crate::interface::*;
@@ -112,7 +112,10 @@ impl Host {
                 answer.vector = unless(hole, 6, numbers.ptr()).cast_const();
                 status = fmc_equilibrium_next(self.context, search, &raw const answer, &raw mut request);
             }
-            if checked(fmc_equilibrium_found(search, unless(hole, 7, &raw mut result))) == OK {
+            let is_abandoned = checked(fmc_equilibrium_abandon(unless(hole, 9, self.context), search)) == OK;
+            let is_ended = checked(fmc_equilibrium_found(search, unless(hole, 7, &raw mut result))) == OK;
+            assert!(is_ended || !is_abandoned || is_null(hole, 7));
+            if is_ended {
                 assert!((0..result.text_count).all(|k| !fmc_equilibrium_text(search, k).is_null()));
             }
             assert!(fmc_equilibrium_text(search, usize::MAX).is_null());

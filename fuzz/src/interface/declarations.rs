@@ -1045,6 +1045,7 @@ unsafe extern "C" {
     pub fn fmc_equilibrium_answer_init(answer: *mut fmc_equilibrium_answer) -> fmc_status;
     pub fn fmc_equilibrium_new(context: *mut fmc_context, problem: *const fmc_equilibrium_problem, options: *const fmc_equilibrium_options, equilibrium: *mut *mut fmc_equilibrium) -> fmc_status;
     pub fn fmc_equilibrium_next(context: *mut fmc_context, equilibrium: *mut fmc_equilibrium, answer: *const fmc_equilibrium_answer, request: *mut fmc_equilibrium_request) -> fmc_status;
+    pub fn fmc_equilibrium_abandon(context: *mut fmc_context, equilibrium: *mut fmc_equilibrium) -> fmc_status;
     pub fn fmc_equilibrium_found(equilibrium: *mut fmc_equilibrium, result: *mut fmc_equilibrium_result) -> fmc_status;
     pub fn fmc_equilibrium_text(equilibrium: *const fmc_equilibrium, number: usize) -> *const c_char;
     pub fn fmc_equilibrium_free(equilibrium: *mut *mut fmc_equilibrium) -> fmc_status;

@@ -52,7 +52,17 @@ impl Search {
         match (self, session) {
             (Search::Plane(search), Session::Plane(one)) => search.next(one.contact_mut()?, answer).map(drop)?,
             (Search::Space(search), Session::Space(one)) => search.next(one.contact_mut()?, answer).map(drop)?,
-            _ => return Err(Error::Unsupported { what: "an equilibrium on a context of another dimension" }.into()),
+            _ => return Err(of_another_dimension()),
+        }
+        Ok(())
+    }
+
+    /// Gives it up, on the same contact.
+    pub(crate) fn abandon(&mut self, session: &mut Session) -> Result<(), Failure> {
+        match (self, session) {
+            (Search::Plane(search), Session::Plane(one)) => search.abandon(one.contact_mut()?),
+            (Search::Space(search), Session::Space(one)) => search.abandon(one.contact_mut()?),
+            _ => return Err(of_another_dimension()),
         }
         Ok(())
     }
@@ -84,6 +94,10 @@ impl Search {
             Next::Refused(refusal) => Some((refusal.into(), vec![refusal.text.clone()])),
         })
     }
+}
+
+fn of_another_dimension() -> Failure {
+    Error::Unsupported { what: "an equilibrium on a context of another dimension" }.into()
 }
 
 /// # Safety

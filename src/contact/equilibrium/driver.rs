@@ -42,6 +42,7 @@ pub(super) use bodies::masses::layers_of_masses;
 use crate::Error;
 use crate::contact::evaluation::Contact;
 use asking::conversation::{Conversation, Turn};
+use progress::before::Kept;
 use steps::attempt::LoadStep;
 use steps::check::check_host;
 use steps::load_step::load_step;
@@ -52,6 +53,7 @@ pub struct Equilibrium<const D: usize> {
     conversation: Conversation<D, Result<Found<D>, Refusal>>,
     asked: Option<Request>,
     ended: Option<Box<Result<Found<D>, Refusal>>>,
+    kept: Kept<D>,
 }
 
 /// What comes next.
@@ -92,11 +94,12 @@ impl<const D: usize> Equilibrium<D> {
         let moved = |unknown: usize| if unknowns.free[unknown] { 0.0 } else { target[unknown] - x[unknown] };
         let (moved, count) = ((0..unknowns.count).map(moved).collect(), unknowns.count);
         let step = LoadStep { unknowns, x: x.to_vec(), moved, options };
+        let kept = Kept::nothing();
         let conversation = match options.is_check {
             true => Conversation::new(|asking| check_host(asking, step)),
-            false => Conversation::new(|asking| load_step(asking, step)),
+            false => Conversation::new(|asking| load_step(asking, step, kept.clone())),
         };
-        Ok(Self { count, conversation, asked: None, ended: None })
+        Ok(Self { count, conversation, asked: None, ended: None, kept })
     }
 
     /// Takes the answer to what was asked last, and goes on. Without an answer it asks the same again.
@@ -118,11 +121,26 @@ impl<const D: usize> Equilibrium<D> {
             let answer = answer.filter(|_| self.asked.is_some());
             match self.conversation.next(contact, answer) {
                 Some(Turn::Asks(request)) => self.asked = Some(request),
-                Some(Turn::Ended(end)) => self.ended = Some(Box::new(end)),
+                Some(Turn::Ended(end)) => self.end(contact, end),
                 None => {}
             }
         }
         self.now().ok_or(Error::Unsupported { what: "a search that has asked for nothing" })
+    }
+
+    /// Gives the search up, as where the host can answer no more: the contact's friction and multipliers are what they were before, and the
+    /// search has ended with a refusal. Does nothing where it has ended.
+    pub fn abandon(&mut self, contact: &mut Contact<D>) {
+        if self.ended.is_none() {
+            self.end(contact, Err(Refusal::abandoned()));
+        }
+    }
+
+    fn end(&mut self, contact: &mut Contact<D>, end: Result<Found<D>, Refusal>) {
+        if let Some(before) = self.kept.take().filter(|_| end.is_err()) {
+            before.put_back(contact);
+        }
+        self.ended = Some(Box::new(end));
     }
 
     /// Goes on to the end, with a host that answers at once.

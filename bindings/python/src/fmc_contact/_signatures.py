@@ -233,6 +233,7 @@ FUNCTIONS: dict[str, tuple[Any, list[Any]]] = {
         c_int32,
         [fmc_context, fmc_equilibrium, POINTER(fmc_equilibrium_answer), POINTER(fmc_equilibrium_request)],
     ),
+    "fmc_equilibrium_abandon": (c_int32, [fmc_context, fmc_equilibrium]),
     "fmc_equilibrium_found": (c_int32, [fmc_equilibrium, POINTER(fmc_equilibrium_result)]),
     "fmc_equilibrium_text": (c_char_p, [fmc_equilibrium, c_size_t]),
     "fmc_equilibrium_free": (c_int32, [POINTER(fmc_equilibrium)]),

@@ -143,6 +143,25 @@ pub unsafe extern "C" fn fmc_equilibrium_next(
     })
 }
 
+/// Gives up a search that has not ended, as where the host can answer no more: friction and multipliers of the context are what they were
+/// before it, and the search has ended with a refusal. Does nothing where it has ended.
+///
+/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_UNSUPPORTED` for a context of another dimension, `FMC_ERROR_BUSY`. Threads: one call at a
+/// time on a search and its context.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmc_equilibrium_abandon(
+    context: *mut fmc_context,
+    equilibrium: *mut fmc_equilibrium,
+) -> fmc_status {
+    entry(|| {
+        // SAFETY: the host passes a context and a search.
+        unsafe {
+            let mut state = locked(equilibrium)?;
+            write(context, |context| state.search.abandon(&mut context.session))
+        }
+    })
+}
+
 /// What a search that has ended has led to.
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NO_STEP` while it goes on, `FMC_ERROR_BUSY`. Threads: one call at a time on a search.
@@ -180,8 +199,8 @@ pub unsafe extern "C" fn fmc_equilibrium_text(equilibrium: *const fmc_equilibriu
 }
 
 /// Frees a search and sets the host's pointer to NULL. Does nothing for a NULL pointer, or a pointer to NULL. One that has not ended
-/// leaves the context in mid-search, with friction that is frozen or softer, and multipliers: answer with refusals until it ends, and
-/// all is as before.
+/// leaves the context in mid-search, with friction that is frozen or softer, and multipliers: `fmc_equilibrium_abandon` before it takes
+/// them back.
 ///
 /// Errors: none. Threads: no other call on it may be running or follow.
 #[unsafe(no_mangle)]

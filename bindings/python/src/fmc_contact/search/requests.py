@@ -19,14 +19,10 @@ from .._structs import (
     fmc_equilibrium_request,
     fmc_equilibrium_result,
 )
-from ..errors import FmcError
 from .bodies import CondensedSteps
 from .host import Host, Refused
 from .together import together
 from .unknowns import Moved
-
-_MOST_REFUSALS = 10_000
-"""Far more than a search asks for where all is refused."""
 
 
 def _free(pointer: fmc_equilibrium) -> None:
@@ -87,21 +83,8 @@ class Search:
         try:
             self._answer()
         except BaseException:
-            self._abandon()
+            library.fmc_equilibrium_abandon(self.handle.pointer, self.pointer)
             raise
-
-    def _abandon(self) -> None:
-        """Refuses all that is asked for, so that the search takes back what it has changed."""
-        request, answer, why = fmc_equilibrium_request(), fmc_equilibrium_answer(), create_string_buffer(b"abandoned")
-        check(library.fmc_equilibrium_answer_init(byref(answer)))
-        answer.refusal = addressof(why)
-        for _ in range(_MOST_REFUSALS):
-            try:
-                self.handle.call(library.fmc_equilibrium_next, self.pointer, byref(answer), byref(request))
-            except FmcError:
-                return
-            if FMC_EQUILIBRIUM_REQUEST_KIND[request.kind] in ("found", "refused"):
-                return
 
     def _answer(self) -> None:
         request, answer = fmc_equilibrium_request(), None

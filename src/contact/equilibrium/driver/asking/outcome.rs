@@ -71,4 +71,10 @@ impl Refusal {
         };
         Self { text, unheld, error, residuals, solves }
     }
+
+    /// Of a search that its host gives up.
+    pub(crate) fn abandoned() -> Self {
+        let text = "the host has given the search up".to_owned();
+        Self { text, unheld: None, error: None, residuals: Vec::new(), solves: 0 }
+    }
 }

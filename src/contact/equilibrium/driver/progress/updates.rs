@@ -58,8 +58,6 @@ pub(crate) struct Updates {
     last: f64,
     /// Sum of the magnitudes of the contact forces at the last update.
     pressed: f64,
-    /// Factor by which the contact was made stiffer so far.
-    stiffened: f64,
     /// Sum of the magnitudes of the contact forces where a load began to fall.
     fallen_from: f64,
     /// Number of them before the part that is under way.
@@ -80,7 +78,7 @@ pub(crate) struct Updates {
 }
 
 impl Updates {
-    pub(crate) fn new(options: &DriverOptions, is_stiffness_found: bool, stiffened: f64) -> Self {
+    pub(crate) fn new(options: &DriverOptions, is_stiffness_found: bool) -> Self {
         let asked = (options.penetration > 0.0).then_some(options.penetration);
         let all = options.max_updates;
         let (most, most_by_force) = if asked.is_some() { (all, all) } else { (BY_DEFAULT.min(all), BY_FORCE.min(all)) };
@@ -92,7 +90,6 @@ impl Updates {
             most_by_force,
             last: f64::INFINITY,
             pressed: 0.0,
-            stiffened,
             fallen_from: 0.0,
             before: 0,
             is_needed: true,
@@ -229,9 +226,9 @@ impl Updates {
     async fn stiffen<const D: usize>(&mut self, host: &Host<D>, change: f64) -> Result<(), Trouble> {
         let is_slow = change > SLOW * self.last;
         self.last = change;
-        if self.asked.is_some() && is_slow && self.stiffened < STIFFEST {
+        if self.asked.is_some() && is_slow && host.contact(|contact| contact.history.stiffened).await < STIFFEST {
             host.contact(|contact| contact.stiffen(STIFFER)).await?;
-            (self.stiffened, self.last) = (STIFFER * self.stiffened, f64::INFINITY);
+            self.last = f64::INFINITY;
         }
         Ok(())
     }

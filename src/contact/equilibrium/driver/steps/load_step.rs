@@ -2,7 +2,6 @@
 
 use super::attempt::LoadStep;
 use super::parts::in_parts;
-use crate::contact::changes::friction_steps::take_up;
 use crate::contact::equilibrium::driver::asking::assembly::Assembly;
 use crate::contact::equilibrium::driver::asking::conversation::Asking;
 use crate::contact::equilibrium::driver::asking::host::Host;
@@ -11,6 +10,7 @@ use crate::contact::equilibrium::driver::asking::trouble::Trouble;
 use crate::contact::equilibrium::driver::bodies::layers;
 use crate::contact::equilibrium::driver::bodies::motions::Motions;
 use crate::contact::equilibrium::driver::progress::balance::Balance;
+use crate::contact::equilibrium::driver::progress::before::{Before, Kept};
 use crate::contact::equilibrium::driver::progress::patches::Patches;
 use crate::contact::equilibrium::driver::progress::search::Search;
 use crate::contact::equilibrium::driver::progress::updates::Updates;
@@ -18,12 +18,15 @@ use crate::contact::equilibrium::driver::told::told_breaking::with_what_breaks;
 use crate::contact::equilibrium::driver::told::uncommitted::uncommitted;
 use std::sync::Arc;
 
-/// All of it. After a refusal the contact's history is as it was.
-pub(crate) async fn load_step<const D: usize>(asking: Asking<D>, step: LoadStep<D>) -> Result<Found<D>, Refusal> {
+/// All of it. After a refusal the contact's history has to become what is `kept`.
+pub(crate) async fn load_step<const D: usize>(
+    asking: Asking<D>,
+    step: LoadStep<D>,
+    kept: Kept<D>,
+) -> Result<Found<D>, Refusal> {
     let host = Host::new(asking, step.unknowns.clone());
     // A search that was left where it was may have left it.
     host.contact(|contact| (contact.history.apart_at, contact.history.sticking) = (None, 1.0)).await;
-    let stiffened = host.contact(|contact| contact.history.stiffened).await;
     let is_found = host.contact(|contact| contact.options().law.is_without_stiffness()).await;
     let mut search = match prepared(&host, &step).await {
         Ok((assembly, motions, has_friction, pressed)) => Search {
@@ -32,7 +35,7 @@ pub(crate) async fn load_step<const D: usize>(asking: Asking<D>, step: LoadStep<
             motions,
             balance: Balance::new(step.options.tolerance, pressed),
             patches: step.options.finds_patches.then(Patches::default),
-            updates: Updates::new(&step.options, is_found, stiffened),
+            updates: Updates::new(&step.options, is_found),
             options: step.options,
             has_friction,
             unloaded: None,
@@ -46,21 +49,11 @@ pub(crate) async fn load_step<const D: usize>(asking: Asking<D>, step: LoadStep<
     if let Some(text) = uncommitted(&search, &step.x).await {
         search.warn(text);
     }
-    // By the stiffness with which the search began.
-    let (before, begun) = search.host.contact(|contact| (contact.all_multipliers(), contact.history.begun())).await;
+    search.host.contact(move |contact| kept.keep(Before::of(contact))).await;
     match in_parts(&mut search, &step).await {
         Ok(found) => Ok(found),
         Err(trouble) => {
             let trouble = with_advice(&search, with_what_breaks(&search, trouble)).await;
-            let undo = search.host.contact(move |contact| {
-                contact.release_friction();
-                if contact.history.stiffened != stiffened {
-                    let _ = contact.stiffen(stiffened / contact.history.stiffened);
-                }
-                contact.put_back_multipliers(before);
-                take_up(contact, begun);
-            });
-            undo.await;
             Err(Refusal::new(trouble, search.balance.history, search.host.solves()))
         }
     }

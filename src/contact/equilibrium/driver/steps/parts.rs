@@ -2,14 +2,13 @@
 
 use super::attempt::{LoadStep, Reached, equilibrium};
 use crate::Error;
-use crate::contact::changes::friction_steps::take_up;
-use crate::contact::equilibrium::augmentation::AllMultipliers;
 use crate::contact::equilibrium::driver::asking::host::System;
 use crate::contact::equilibrium::driver::asking::outcome::Found;
 use crate::contact::equilibrium::driver::asking::trouble::Trouble;
 use crate::contact::equilibrium::driver::asking::unknowns::{largest, moved};
 use crate::contact::equilibrium::driver::bodies::motions::Motions;
 use crate::contact::equilibrium::driver::progress::balance::Verdict;
+use crate::contact::equilibrium::driver::progress::before::Before;
 use crate::contact::equilibrium::driver::progress::breaking::breaking;
 use crate::contact::equilibrium::driver::progress::search::Search;
 use crate::contact::equilibrium::driver::progress::state::State;
@@ -21,8 +20,6 @@ use crate::contact::equilibrium::driver::told::standing::standing;
 use crate::contact::equilibrium::driver::ways::falling_load::falling_load;
 use crate::contact::equilibrium::driver::ways::levels::FINER;
 use crate::contact::equilibrium::driver::ways::unchanged::{kept, taken_up};
-use crate::contact::evaluation::Contact;
-use crate::contact::history::Begun;
 use crate::contact::results::PairForces;
 use crate::contact::tangents::TangentPart;
 use crate::overlap::Partner;
@@ -68,7 +65,7 @@ pub(crate) async fn in_parts<const D: usize>(search: &mut Search<D>, step: &Load
         // What did not balance at the start is taken off little by little.
         search.host.set_offset(start.residual.iter().map(|force| (1.0 - until) * force).collect());
         let target = moved(&step.x, until, &step.moved);
-        let begun = search.host.contact(|contact| (contact.history.begun(), contact.all_multipliers())).await;
+        let before = search.host.contact(|contact| Before::of(contact)).await;
         let told = search.warnings.len();
         match led(search, &x, (&target, until == 1.0), &mut counts).await {
             Ok(reached)
@@ -76,7 +73,7 @@ pub(crate) async fn in_parts<const D: usize>(search: &mut Search<D>, step: &Load
             {
                 part *= 0.5;
                 search.warnings.truncate(told);
-                search.host.contact(|contact| go_back(contact, begun)).await;
+                search.host.contact(|contact| before.put_back(contact)).await;
             }
             Ok(reached) if until == 1.0 => return finished(search, reached, &counts).await,
             Ok(reached) => {
@@ -93,7 +90,7 @@ pub(crate) async fn in_parts<const D: usize>(search: &mut Search<D>, step: &Load
                 }
                 part *= 0.5;
                 search.warnings.truncate(told);
-                search.host.contact(|contact| take_up(contact, begun.0)).await;
+                search.host.contact(|contact| before.put_back(contact)).await;
             }
         }
     }
@@ -123,12 +120,6 @@ async fn doubtful<const D: usize>(search: &Search<D>, reached: &Reached<D>) -> V
         })
     };
     reached.state.contact.pairs.iter().filter_map(said).collect()
-}
-
-/// Goes on as before a part of the step.
-fn go_back<const D: usize>(contact: &mut Contact<D>, (begun, multipliers): (Begun<D>, AllMultipliers<D>)) {
-    contact.put_back_multipliers(multipliers);
-    take_up(contact, begun);
 }
 
 /// The equilibrium with unknowns that are not free at their targets, from x; whether it is the last of the step.
