@@ -78,3 +78,27 @@ fn rest_stays_rest() {
     assert_eq!((found.solves, found.rigid_steps), (0, 0));
     assert!(found.x.iter().all(|x| *x == 0.0));
 }
+
+/// Surfaces that overlap where all their nodes are held bear the stiffness times the overlap: told with both names and the depth. Where either
+/// of them is free, what presses is an equilibrium.
+#[test]
+fn overlaps_of_held_surfaces_are_told() {
+    for (is_upper_held, has_floor) in [(true, false), (false, false), (true, true), (false, true)] {
+        let upper = Block::unit(0.0, if has_floor { 0.0 } else { 1.0 }, 3);
+        let mut host = if has_floor { Host::new(&[upper]) } else { Host::new(&[Block::unit(0.0, 0.0, 3), upper]) };
+        let (bottom, top) = if has_floor { (0.0, 1.0) } else { (1.0, 2.0) };
+        for axis in 0..2 {
+            // Of the lower one all; of the upper one the top, and the surface in contact where it says so.
+            host.hold(axis, |x| x[1] < bottom - 1e-9 || x[1] > top - 1e-9 || (is_upper_held && x[1] < bottom + 1e-9));
+        }
+        let lower_nodes = if has_floor { 0 } else { 16 };
+        host.free[..2 * lower_nodes].fill(false);
+        let mut contact = host.contact(has_floor.then_some(0.0), 0.0);
+        let pressed: Vec<f64> =
+            (0..host.coords.len()).flat_map(|node| [0.0, if node >= lower_nodes { -0.01 } else { 0.0 }]).collect();
+        let found = host.solved(&mut contact, Some(&pressed)).unwrap();
+        let told: Vec<_> = found.warnings.iter().filter(|text| text.contains("no node of either is free")).collect();
+        assert_eq!(told.len(), usize::from(is_upper_held), "{:?}", found.warnings);
+        assert!(told.iter().all(|text| text.contains("overlap by 1.0e-2") && text.contains("body 0")), "{told:?}");
+    }
+}

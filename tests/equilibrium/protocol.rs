@@ -109,7 +109,7 @@ fn a_search_that_is_given_up_leaves_nothing_behind() {
             let request = request.clone();
             answer = Some(host.answer(&contact, &request));
         }
-        if let Some(Next::Found(found)) = search.now() {
+        if let Some(Next::Found(_)) = search.now() {
             assert!(answers > 50, "it has ended after {answers} answers");
             search.abandon(&mut contact);
             assert!(matches!(search.now(), Some(Next::Found(_))), "what has ended stays");

@@ -13,6 +13,7 @@ use crate::contact::equilibrium::driver::progress::breaking::breaking;
 use crate::contact::equilibrium::driver::progress::search::Search;
 use crate::contact::equilibrium::driver::progress::state::State;
 use crate::contact::equilibrium::driver::progress::within_facets::within_facets;
+use crate::contact::equilibrium::driver::told::held::held;
 use crate::contact::equilibrium::driver::told::locking::locking;
 use crate::contact::equilibrium::driver::told::overlaps::overlaps;
 use crate::contact::equilibrium::driver::told::rounded::rounded;
@@ -244,7 +245,7 @@ async fn finished<const D: usize>(
     for text in doubtful(search, &reached).await {
         search.warn(text);
     }
-    for text in locking(search).await {
+    for text in locking(search).await.into_iter().chain(held(search, &reached.state).await?) {
         search.warn(text);
     }
     if let Some(text) = search.updates.left(search.assembly.finest()) {

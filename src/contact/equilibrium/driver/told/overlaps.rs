@@ -1,14 +1,16 @@
 //! Overlaps at the start that loads do not explain: what a mesher left, or an interference that is meant.
 
+use crate::contact::equilibrium::driver::asking::assembly::Assembly;
 use crate::contact::equilibrium::driver::asking::trouble::Trouble;
 use crate::contact::equilibrium::driver::progress::search::Search;
 use crate::contact::equilibrium::driver::progress::state::State;
 use crate::contact::history::sorted;
+use crate::contact::results::GapConstraints;
 use crate::overlap::Partner;
 use std::collections::BTreeMap;
 
 /// Part of a facet above which an overlap is told.
-const TOLD: f64 = 1e-3;
+pub(super) const TOLD: f64 = 1e-3;
 
 /// Forces of the bodies by those of the contact below which they do not explain the overlap. Some load may be there all the same.
 const UNLOADED: f64 = 0.5;
@@ -22,30 +24,46 @@ pub(crate) async fn overlaps<const D: usize>(search: &mut Search<D>, start: &Sta
     }
     let (coords, reach) = (unknowns.coords(&start.x), TOLD * search.assembly.finest());
     let gaps = search.host.contact(move |contact| contact.gap_constraints(&coords, reach)).await?;
+    let deepest = deepest(&gaps, |_| true);
+    let said = |names: [String; 2], depth: f64, part: f64| {
+        let [a, b] = names;
+        format!(
+            "{a} and {b} overlap by {depth:.1e} at the start, {part:.0e} of a facet, more than the loads explain: they are pressed \
+             apart. An adjustment removes overlaps without strain"
+        )
+    };
+    let texts: Vec<String> =
+        told(&search.assembly, &deepest).map(|(names, depth, part)| said(names, depth, part)).collect();
+    texts.into_iter().for_each(|text| search.warn(text));
+    Ok(())
+}
+
+/// Largest mean penetration of a node by pair, of rows that count.
+pub(super) fn deepest<const D: usize>(
+    gaps: &GapConstraints<D>,
+    counts: impl Fn(usize) -> bool,
+) -> BTreeMap<[Partner; 2], f64> {
     let mut deepest: BTreeMap<[Partner; 2], f64> = BTreeMap::new();
-    for (partners, (gap, area)) in gaps.partners.iter().zip(gaps.gaps.iter().zip(&gaps.areas)) {
-        if *area > 0.0 {
-            let depth = deepest.entry(sorted(*partners)).or_default();
+    for (row, (gap, area)) in gaps.gaps.iter().zip(&gaps.areas).enumerate() {
+        if *area > 0.0 && counts(row) {
+            let depth = deepest.entry(sorted(gaps.partners[row])).or_default();
             *depth = depth.max(-gap / area);
         }
     }
-    for (pair, depth) in deepest {
-        let assembly = &search.assembly;
+    deepest
+}
+
+/// Names of those that are to be told, with the penetration, and that by the smaller facet.
+pub(super) fn told<const D: usize>(
+    assembly: &Assembly<D>,
+    deepest: &BTreeMap<[Partner; 2], f64>,
+) -> impl Iterator<Item = ([String; 2], f64, f64)> {
+    deepest.iter().filter_map(|(pair, &depth)| {
         let size = |partner: &Partner| match partner {
             Partner::Body(body) => assembly.facet_size.get(*body).copied(),
             Partner::Obstacle(_) => None,
         };
         let facet = pair.iter().filter_map(size).fold(f64::INFINITY, f64::min);
-        if depth > TOLD * facet {
-            let text = format!(
-                "{} and {} overlap by {depth:.1e} at the start, {:.0e} of a facet, more than the loads explain: they are pressed \
-                 apart. An adjustment removes overlaps without strain",
-                assembly.name(pair[0]),
-                assembly.name(pair[1]),
-                depth / facet
-            );
-            search.warn(text);
-        }
-    }
-    Ok(())
+        (depth > TOLD * facet).then(|| (pair.map(|partner| assembly.name(partner)), depth, depth / facet))
+    })
 }
