@@ -28,6 +28,7 @@ pub use crate::interfaces::{
     Softening, check_law,
 };
 pub use changes::Adjustment;
+pub(crate) use changes::poses::with_poses;
 pub use cohesive::{CohesivePoint, CohesiveSummary};
 pub use derivatives::{Directions, GradientRequest, Gradients, PairGradient, Slopes};
 pub use equilibrium::{Augmentation, CondensedBodies, ContactStep, ContactStepOptions, ContactStepState, Place};

@@ -26,21 +26,6 @@ pub(super) fn earlier<const D: usize>(contact: &Contact<D>) -> [Option<Earlier<D
     ]
 }
 
-/// What `work` returns with obstacles at other poses.
-pub(super) fn with_poses<const D: usize, T>(
-    contact: &mut Contact<D>,
-    poses: &Poses<D>,
-    work: impl FnOnce(&mut Contact<D>) -> T,
-) -> T {
-    let mut own = poses.clone();
-    contact.partners.obstacles.exchange_poses(&mut own);
-    contact.state.forget_found();
-    let found = work(contact);
-    contact.partners.obstacles.exchange_poses(&mut own);
-    contact.state.forget_found();
-    found
-}
-
 /// Takes other cells of the same mesh. `started` are the coordinates of their nodes at which the step began; `facet` is
 /// the new number of a facet, if it is still there. What was kept and frozen is released.
 pub(super) fn take_cells<const D: usize>(

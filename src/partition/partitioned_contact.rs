@@ -9,6 +9,7 @@ use super::selection::{Search, selected};
 use super::zone::Zone;
 use crate::Error;
 use crate::configuration::CellCheck;
+use crate::contact::with_poses;
 use crate::contact::{Contact, Needed, Options, hash_in_common, needed};
 use crate::geometry::Vector;
 use crate::geometry::aabb::Aabb;
@@ -325,7 +326,7 @@ impl<const D: usize> PartitionedContact<D> {
                 then.needed.iter().map(|of_body| of_body.iter().map(|needed| needed.aabb.inflated(margin)).collect());
             let at = (earlier.epoch, self.reach);
             carried::set_gathered(&mut self.contact, &coords, &then.boxes, complete_in.collect(), at);
-            carried::with_poses(&mut self.contact, &earlier.poses, |contact| match number {
+            with_poses(&mut self.contact, &earlier.poses, |contact| match number {
                 1 => contact.freeze_friction(&coords),
                 _ => contact.keep_patches(&coords).map(drop),
             })?;
@@ -339,7 +340,7 @@ impl<const D: usize> PartitionedContact<D> {
         let coords = self.earlier.get(&earlier.epoch).ok_or(Error::NoStep)?.clone();
         let boxes = Places::gather(&self.own, &coords, None, self.ranks()?)?.boxes;
         let reach = self.reach;
-        let needed = carried::with_poses(&mut self.contact, &earlier.poses, |contact| needed(contact, &boxes, reach));
+        let needed = with_poses(&mut self.contact, &earlier.poses, |contact| needed(contact, &boxes, reach));
         Ok(Then { coords, needed: self.ranks()?.agree(needed, 0)?, boxes })
     }
 

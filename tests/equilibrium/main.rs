@@ -6,6 +6,7 @@ mod falling;
 mod held;
 mod limit;
 mod loose;
+mod moved_obstacles;
 mod protocol;
 mod refused;
 mod touching;

@@ -2,6 +2,7 @@
 //! the next.
 
 use crate::Error;
+use crate::contact::changes::poses::with_poses;
 use crate::contact::evaluation::{Contact, kernels, moved_out};
 use crate::contact::friction::{
     CarriedSlip, Duals, FacetSlip, FrozenFriction, MovedOut, PastPoints, SliderName, SlipFacets, Step, in_order,
@@ -46,6 +47,16 @@ fn begin_worn<const D: usize>(
             return Err(error);
         }
     }
+    Ok(())
+}
+
+/// Measures anew how facets bore where the step began, for pairs that press with another stiffness now. The step stays the one that has begun:
+/// its coordinates, the poses of its obstacles, its slip. On an error nothing has changed.
+pub(crate) fn bear_anew<const D: usize>(contact: &mut Contact<D>) -> Result<(), Error> {
+    let step = contact.history.step()?;
+    let (coords, poses) = (step.coords.given(), step.poses.clone());
+    let found = with_poses(contact, &poses, |contact| bearings(contact, || kernels::slip_facets(contact, &coords)))?;
+    contact.history.bear(found);
     Ok(())
 }
 
@@ -261,7 +272,7 @@ fn step_at<const D: usize>(contact: &Contact<D>, coords: &[[f64; D]], slip: Carr
 /// Points of the mesh to remember.
 fn past_points<const D: usize>(contact: &Contact<D>, coords: &[[f64; D]]) -> Result<PastPoints<D>, Error> {
     let mesh = &contact.mesh;
-    Ok(PastPoints::new(mesh.surface.mesh_points(coords)?.into_owned(), |points| mesh.placed(points.into())))
+    Ok(PastPoints::new(coords, mesh.surface.mesh_points(coords)?, |points| mesh.placed(points.into())))
 }
 
 /// How all facets bear, where any pair has friction; without a stiffness nothing bears yet.

@@ -62,7 +62,8 @@ impl<const D: usize> Step<D> {
     ) -> Self {
         let of = |((partners, of_b, old), slip)| facet(old).map(|new| ((partners, of_b, new), slip));
         let slip = self.slip.into_iter().filter_map(of).collect();
-        Self::new(surface, PastPoints::new(points.to_vec(), |points| points.into()), self.poses, slip, self.epoch)
+        let coords = PastPoints::new(points, points.into(), |points| points.into());
+        Self::new(surface, coords, self.poses, slip, self.epoch)
     }
 
     /// Where an obstacle stood; one that came later has not moved.

@@ -85,6 +85,12 @@ impl<const D: usize> History<D> {
         self.release_friction();
     }
 
+    /// Takes how facets bore when the step began; frozen friction is released.
+    pub(crate) fn bear(&mut self, bearings: Option<Bearings>) {
+        self.bearings = bearings;
+        self.release_friction();
+    }
+
     /// What has begun, so that it can be laid aside.
     pub(crate) fn begun(&self) -> Begun<D> {
         let (step, bearings, worn) = (self.step.clone(), self.bearings.clone(), self.worn.clone());

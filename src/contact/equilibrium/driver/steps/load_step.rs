@@ -2,6 +2,7 @@
 
 use super::attempt::LoadStep;
 use super::parts::in_parts;
+use crate::contact::changes::friction_steps::bear_anew;
 use crate::contact::equilibrium::driver::asking::assembly::Assembly;
 use crate::contact::equilibrium::driver::asking::conversation::Asking;
 use crate::contact::equilibrium::driver::asking::host::Host;
@@ -94,8 +95,10 @@ async fn prepared<const D: usize>(
     let is_new = layers::complete(host, &assembly, &step.x).await?;
     let (has_friction, has_begun) = host.contact(|contact| (contact.has_friction(), contact.slip().is_ok())).await;
     let changes = host.contact(|contact| contact.has_history() || contact.partners.table.has_wear()).await;
-    if has_friction && is_new || (has_friction || changes) && !has_begun {
+    if (has_friction || changes) && !has_begun {
         host.contact(move |contact| contact.begin_step(&coords)).await?;
+    } else if has_friction && is_new {
+        host.contact(bear_anew).await?;
     }
     let motions = Motions::loose(host, &assembly, &host.unknowns.coords(&step.x)).await?;
     let body = assembly.body.clone();
