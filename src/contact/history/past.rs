@@ -44,7 +44,7 @@ pub(crate) struct History<const D: usize> {
     /// search be left there.
     pub(crate) apart_at: Option<Vec<[f64; D]>>,
     /// The equilibrium that a search found last. It decides how long the next one takes, and not what it finds but within tolerances.
-    pub(crate) last: Option<LastEquilibrium>,
+    pub(crate) last: Option<LastEquilibrium<D>>,
 }
 
 /// Where a step began, and how facets bore there.

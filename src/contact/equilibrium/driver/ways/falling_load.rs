@@ -1,6 +1,6 @@
 //! Multipliers of another load as a guess for this one.
 
-use super::unchanged::was_found;
+use super::unchanged::found_there;
 use super::unloaded::is_gone;
 use crate::contact::equilibrium::driver::asking::host::Host;
 use crate::contact::equilibrium::driver::asking::trouble::Trouble;
@@ -14,8 +14,9 @@ use crate::contact::equilibrium::driver::progress::state::State;
 const CHANGED: f64 = 1e-2;
 
 /// Lets multipliers fall with the load where a step begins: those of a load that is gone would press and pull on bodies that nothing else
-/// holds. The load was K u less the contact forces of the equilibrium where the step begins, and is K u less the internal forces now; what
-/// is left of it is its part along what it was. Updates find what is wrong with this guess. An end without load has no forces to measure
+/// holds. The load was K u less the forces of the equilibrium where the step begins, those of the bodies in the last one that was found, or else
+/// those of the contact, and is K u less the internal forces now; what is left of it is its part along what it was. An obstacle that has moved
+/// changes no load. Updates find what is wrong with this guess. An end without load has no forces to measure
 /// residuals by: those of the equilibrium where the step begins do. Where all forces are what coordinates are rounded to, nothing is left of
 /// the load for which the multipliers were.
 pub(crate) async fn falling_load<const D: usize>(search: &mut Search<D>, start: State<D>) -> Result<State<D>, Trouble> {
@@ -42,7 +43,14 @@ pub(crate) async fn falling_load<const D: usize>(search: &mut Search<D>, start: 
     let load = |forces: &[f64]| -> Vec<f64> {
         host.unknowns.freed(bodies.iter().zip(forces).map(|(bodies, force)| bodies - force).collect())
     };
-    let (before, now) = (load(&start.forces), load(&start.inside));
+    let last = found_there(search, &start).await;
+    let was_found = last.is_some();
+    let (before, now) = (load(last.as_ref().unwrap_or(&start.forces)), load(&start.inside));
+    let change: Vec<f64> = before.iter().zip(&now).map(|(before, now)| now - before).collect();
+    if norm(&change) <= CHANGED * norm(&start.forces) {
+        search.unloaded = None;
+        return Ok(start);
+    }
     search.balance.measured_by(norm(&host.unknowns.freed(bodies.clone())).min(norm(&start.forces)));
     search.updates.fall_from(&start.contact);
     let part = dot(&now, &before) / dot(&before, &before);
@@ -50,7 +58,7 @@ pub(crate) async fn falling_load<const D: usize>(search: &mut Search<D>, start: 
         return Ok(start);
     }
     // Whether forces where the step begins were those of a load that is gone or has turned is known after an equilibrium alone.
-    if search.has_friction && (part > 0.0 || was_found(search, &start).await) {
+    if search.has_friction && (part > 0.0 || was_found) {
         let (part, forces) = (part.max(0.0), norm(&start.forces));
         search.falling =
             Some(Falling { part, forces, before: search.host.contact(|contact| contact.all_multipliers()).await });

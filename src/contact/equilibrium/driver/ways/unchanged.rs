@@ -5,6 +5,7 @@
 
 use crate::contact::equilibrium::driver::progress::search::Search;
 use crate::contact::equilibrium::driver::progress::state::State;
+use crate::contact::evaluation::Contact;
 use crate::contact::history::LastEquilibrium;
 use crate::contact::results::ContactForces;
 
@@ -20,7 +21,8 @@ pub(crate) async fn taken_up<const D: usize>(search: &mut Search<D>, start: &Sta
     }
     let (x, inside, pressed) = (start.x.clone(), start.inside.clone(), pressed(&start.contact));
     let scale = search.host.contact(move |contact| {
-        contact.history.last.as_ref().filter(|last| last.is(&x, &inside, &pressed)).map(|last| last.scale)
+        let poses = contact.partners.obstacles.poses();
+        contact.history.last.as_ref().filter(|last| last.is(&x, &inside, &pressed, &poses)).map(|last| last.scale)
     });
     if let Some(scale) = scale.await {
         search.balance.measured_by(scale);
@@ -28,19 +30,22 @@ pub(crate) async fn taken_up<const D: usize>(search: &mut Search<D>, start: &Sta
     }
 }
 
-/// Whether the last search has ended here.
-pub(crate) async fn was_found<const D: usize>(search: &Search<D>, start: &State<D>) -> bool {
+/// The bodies' forces in the equilibrium that the last search has found here.
+pub(crate) async fn found_there<const D: usize>(search: &Search<D>, start: &State<D>) -> Option<Vec<f64>> {
     let x = start.x.clone();
-    search.host.contact(move |contact| contact.history.last.as_ref().is_some_and(|last| last.x == x)).await
+    let inside = move |contact: &mut Contact<D>| {
+        contact.history.last.as_ref().filter(|last| last.x == x).map(|last| last.inside.clone())
+    };
+    search.host.contact(inside).await
 }
 
 /// Keeps what the next search takes up.
 pub(crate) async fn kept<const D: usize>(search: &Search<D>, end: &State<D>) {
-    let last = LastEquilibrium {
-        x: end.x.clone(),
-        inside: end.inside.clone(),
-        pressed: pressed(&end.contact),
-        scale: search.balance.scale(),
+    let (x, inside, scale) = (end.x.clone(), end.inside.clone(), search.balance.scale());
+    let pressed = pressed(&end.contact);
+    let keep = move |contact: &mut Contact<D>| {
+        let poses = contact.partners.obstacles.poses();
+        contact.history.last = Some(LastEquilibrium { x, inside, pressed, poses, scale });
     };
-    search.host.contact(move |contact| contact.history.last = Some(last)).await;
+    search.host.contact(keep).await;
 }
