@@ -212,3 +212,80 @@ def test_the_same_bits_with_few_states():
     assert [one.step for one in found] == [2, 1, 0]
     for one, other in zip(found, expected):
         assert np.array_equal(one.balance, other.balance) and one.gradients.pairs == other.gradients.pairs
+
+
+SQUARE = np.array([[0, 0], [1, 0], [1, 1], [0, 1]], float)
+OF_SQUARE = 1e3 * np.kron([[3, -1, -1, -1], [-1, 3, -1, -1], [-1, -1, 3, -1], [-1, -1, -1, 3]], np.eye(2))
+
+
+def square(downs, friction=0.3, drag=0.001, contact=None, **options):
+    """A square on a floor, pressed and dragged by its top; ``downs`` by step."""
+    contact = contact or Contact(SQUARE, [[0, 1, 2, 3]], "quad", stiffness=1e4, friction_coefficient=friction, **options)
+    if not contact.obstacles.count:
+        contact.obstacles.add_half_space((0, 0), (0, 1))
+
+    def solve(step, x):
+        end = SQUARE.copy()
+        end[2:] += (drag * (step + 1), -downs[step])
+        return find_equilibrium(lambda x: (OF_SQUARE @ (x - SQUARE).ravel(), OF_SQUARE), contact, x, range(4), end, tolerance=1e-14)
+
+    return History(contact, solve, len(downs))
+
+
+def dragged(history, step):
+    """The first coordinate at the end of a step, and its derivative by the way of each step along x."""
+    goal = np.zeros((4, 2))
+    goal[0, 0] = 1
+    value = [found.x[0, 0] for _, found in history.forward(SQUARE)][step]
+    back = history.backward(lambda at, found: (goal, None) if at == step else None, by=["friction", "positions"])
+    return value, sum((one.step + 1) * one.prescribed[2:, 0].sum() for one in back)
+
+
+@pytest.mark.parametrize("downs", [(0.01, 0.012, -0.02), (-0.02, 0.01, 0.012), (0.01, -0.02, 0.012), (-0.01, -0.02)])
+@pytest.mark.parametrize("friction", [0.3, 0.0])
+def test_steps_without_contact_or_friction_have_their_derivative(downs, friction):
+    for step in range(len(downs)):
+        _, found = dragged(square(downs, friction), step)
+        ends = [dragged(square(downs, friction, 0.001 + by), step)[0] for by in (1e-6, -1e-6)]
+        assert found == pytest.approx((ends[0] - ends[1]) / 2e-6, rel=1e-6, abs=1e-9)
+
+
+def test_an_obstacle_that_was_removed_changes_nothing():
+    contact = Contact(SQUARE, [[0, 1, 2, 3]], "quad", stiffness=1e4, friction_coefficient=0.3)
+    contact.obstacles.add_half_space((0, 0), (0, 1))
+    contact.obstacles.add_ball(0.3, (5, 5))
+    contact.obstacles.remove(1)
+    assert dragged(square((0.01, 0.012), contact=contact), 1) == dragged(square((0.01, 0.012)), 1)
+
+
+def test_nodes_on_the_axis_stay_there():
+    # Sheared to the side off the axis: the nodes on it are held along the radius.
+    disc = np.array([[0, 0], [1, 0], [1, 1], [0, 1]], float)
+
+    def end(down):
+        contact = Contact(disc, [[0, 1, 2, 3]], "quad", stiffness=1e4, friction_coefficient=0.3, axisymmetric=True)
+        contact.obstacles.add_half_space((0, down), (0, 1))
+        contact.friction.begin_step(disc)
+        host = lambda x: (OF_SQUARE @ (x - disc).ravel(), OF_SQUARE)
+        return find_equilibrium(host, contact, disc, [1, 2, 3], tolerance=1e-14)
+
+    goal = np.zeros((4, 2))
+    goal[1] = 1
+    found = end(0.01).adjoint(goal, by=["positions"]).gradients.positions[0, 1]
+    ends = [end(0.01 + by).x[1].sum() for by in (1e-6, -1e-6)]
+    assert found == pytest.approx((ends[0] - ends[1]) / 2e-6, rel=1e-6)
+
+
+def test_wear_and_a_step_that_was_accepted_are_refused():
+    history = square((0.01, 0.012, 0.012))
+    history.contact.pairs.set_wear(0, ("obstacle", 0), 1e-5)
+    with pytest.raises(UnsupportedError, match="wear"):
+        list(history.backward(lambda step, found: None) for _ in history.forward(SQUARE))
+    contact = Contact(SQUARE, [[0, 1, 2, 3]], "quad", friction_coefficient=0.3)
+    only = square((0.02,), contact=contact, drag=0.003)
+    contact.friction.begin_step(SQUARE)
+    found = only.solve(0, SQUARE)
+    found.adjoint(np.ones((4, 2)))
+    contact.friction.commit_step(found.x)
+    with pytest.raises(ValueError, match="before commit_step"):
+        found.adjoint(np.ones((4, 2)))

@@ -14,7 +14,7 @@ from ..errors import UnsupportedError
 from ..gradients import Gradients, PairGradient, names_of
 from .at_equilibrium import AtEquilibrium
 from .bodies import Bodies
-from .closed import LAST, End, Place, closed, multipliers_put_back
+from .closed import LAST, End, Place, closed, multipliers_put_back, slip_of
 from .host import Host
 
 
@@ -107,7 +107,8 @@ def bodies_of_end(end: End) -> Bodies:
     if isinstance(end.given, Host):
         raise UnsupportedError("the adjoint of bodies that solve by themselves")
     contact, coords = end.unknowns.inner, end.unknowns.coords(end.x.ravel())
-    if not np.array_equal(contact.evaluate(coords).forces, end.forces):
+    is_there = np.array_equal(contact.evaluate(coords).forces, end.forces)
+    if not (is_there and np.array_equal(slip_of(contact), end.slip)):
         raise ValueError(
             "the contact is not what it was at the equilibrium: ask for the adjoint before obstacles, options or multipliers change, "
             "and before commit_step"

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from typing import Any
+from collections.abc import Sequence
+from typing import Any, Optional
 
 import numpy as np
 
 from ..contact import Contact
-from ..errors import UnsupportedError
+from ..errors import ObstacleRemovedError, UnsupportedError
 from ..gaps import GapConstraints
 from ..pose import Pose
 from .coloured import slopes, slopes_ahead
@@ -57,7 +58,8 @@ class AtEquilibrium:
         if self.is_exact:
             by_coords = -tangent
         else:
-            by_coords, edges = slopes(self._forces, self.coords.ravel(), tangent, self.step)
+            pattern = off_axis(tangent, self.contact, self.coords, self.step)
+            by_coords, edges = slopes(self._forces, self.coords.ravel(), pattern, self.step)
             self.edges += len(edges)
         if not len(self.values):
             return by_coords, csr_matrix((self.coords.size, 0))
@@ -150,15 +152,16 @@ class AtEquilibrium:
     def by_pose(self, obstacle: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """Derivatives of forces, gaps and ``towards`` by the position of an obstacle and a rotation vector about it, (dim + 3, values).
         Without multipliers the last two are empty; forces are where the library does not have their derivative, else 0."""
-        pose, sizes = self.contact.obstacles.get(obstacle).pose, (self.coords.size, len(self.values), len(self.values) * self.dim)
+        pose, sizes = poses_of(self.contact)[obstacle], (self.coords.size, len(self.values), len(self.values) * self.dim)
         found = np.zeros((self.dim + 3, sum(sizes)))
-        try:
-            for axis in range(self.dim + 3):
-                # In the plane the only axis is the third.
-                if self.dim == 3 or axis not in (2, 3):
-                    found[axis] = self._along(obstacle, pose, axis)
-        finally:
-            self.contact.obstacles.set_pose(obstacle, pose)
+        if pose is not None:
+            try:
+                for axis in range(self.dim + 3):
+                    # In the plane the only axis is the third.
+                    if self.dim == 3 or axis not in (2, 3):
+                        found[axis] = self._along(obstacle, pose, axis)
+            finally:
+                self.contact.obstacles.set_pose(obstacle, pose)
         forces, gaps, towards = np.split(found, np.cumsum(sizes)[:2], axis=1)
         return forces, gaps, towards
 
@@ -175,6 +178,37 @@ class AtEquilibrium:
             ends.append(np.concatenate([forces, gaps]))
         along: np.ndarray = (ends[0] - ends[1]) / (2 * step)
         return along
+
+
+def poses_of(contact: Contact) -> list[Optional[Pose]]:
+    """Poses of all obstacles, ``None`` for one that was removed."""
+    found: list[Optional[Pose]] = []
+    for index in range(contact.obstacles.count):
+        try:
+            found.append(contact.obstacles.get(index).pose)
+        except ObstacleRemovedError:
+            found.append(None)
+    return found
+
+
+def set_poses(contact: Contact, poses: Sequence[Optional[Pose]]) -> None:
+    """Moves all obstacles that are there."""
+    for index, pose in enumerate(poses):
+        if pose is not None:
+            contact.obstacles.set_pose(index, pose)
+
+
+def off_axis(pattern: Any, contact: Contact, coords: np.ndarray, step: float) -> Any:
+    """A pattern without the radial coordinates of nodes on the axis, which stay there: none could move behind it."""
+    if not contact.options["axisymmetric"]:
+        return pattern
+    from scipy.sparse import diags
+
+    moves = np.ones(coords.shape)
+    moves[coords[:, 0] <= step, 0] = 0.0
+    found = (pattern @ diags(moves.ravel())).tocsr()
+    found.eliminate_zeros()
+    return found
 
 
 def moved_pose(pose: Pose, axis: int, by: float) -> Pose:

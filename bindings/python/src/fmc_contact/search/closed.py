@@ -10,7 +10,8 @@ from typing import Any, Optional, Union
 import numpy as np
 
 from ..contact import Contact
-from ..errors import FmcError
+from ..errors import FmcError, NoStepError
+from ..friction import WIDTH
 from .at_equilibrium import AtEquilibrium
 from .bodies import Bodies, Residual, Solve
 from .host import Host, Refused
@@ -39,6 +40,15 @@ class End:
     x: np.ndarray
     forces: np.ndarray
     reach: float
+    slip: np.ndarray
+
+
+def slip_of(contact: Contact) -> np.ndarray:
+    """Elastic slip that was carried into the step; no rows where none has begun."""
+    try:
+        return contact.friction.slip
+    except NoStepError:
+        return np.zeros((0, WIDTH))
 
 
 class Place:

@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike
 
 from .._arrays import finite, floats
 from .bodies import Bodies, CondensedSteps, Residual, Solve, bodies_of, condensed_of
-from .closed import End
+from .closed import End, slip_of
 from .host import Host
 from .likely import refuse_start, unconnected
 from .outcome import Equilibrium, NoSupportError, NotConvergedError
@@ -206,7 +206,7 @@ def _ended(search: Search, contact: Any, begin: np.ndarray, end: Optional[np.nda
         texts,
     )
     # No field: it is no result, and the adjoint alone reads it.
-    found.__dict__["_end"] = End(*asked, contact, search.unknowns, search.solved_for, x, found.result.forces, reach)
+    found.__dict__["_end"] = End(*asked, contact, search.unknowns, search.solved_for, x, found.result.forces, reach, slip_of(search.unknowns.inner))
     return found
 
 

@@ -186,6 +186,7 @@ class History:
             raise ValueError(f"a history has no derivative by '{other[0]}', expected {', '.join(BY)}")
         if self.count not in self._alive:
             raise ValueError("the history has no end yet: go through all of forward first")
+        refuse(self.contact)
         last, later = self._alive[self.count], Handed.nothing(self.contact)
         self.start = None
         try:

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Optional
 
 import numpy as np
 
 from ..contact import Contact
 from ..errors import UnsupportedError
 from ..pose import Pose
-from .at_equilibrium import STEP, moved_pose
+from .at_equilibrium import STEP, moved_pose, off_axis, poses_of, set_poses
 from .coloured import slopes
 
 if TYPE_CHECKING:
@@ -30,7 +30,7 @@ class StepSlopes:
         from scipy.sparse import csr_matrix
 
         self.contact, self.begun, self.coords, self.dim = contact, begun, coords, contact.dim
-        self.poses = [contact.obstacles.get(index).pose for index in range(contact.obstacles.count)]
+        self.poses = poses_of(contact)
         extent = float(np.ptp(coords, axis=0).max())
         self.step, self.edges = STEP * extent, 0
         self._begin(begun.coords, begun.poses, self.poses)
@@ -44,15 +44,15 @@ class StepSlopes:
         # Slip in the unit of forces, so that one measure tells an edge in both.
         self.scale = float(abs(self.tangent).max()) if self.tangent.nnz else 1.0
 
-    def _begin(self, coords: np.ndarray, start: list[Pose], end: list[Pose]) -> None:
+    def _begin(self, coords: np.ndarray, start: list[Optional[Pose]], end: list[Optional[Pose]]) -> None:
         """Begins the step at coordinates and poses, and goes on to where obstacles end."""
         contact, has_moved = self.contact, start is not end
-        for index, pose in enumerate(start if has_moved else []):
-            contact.obstacles.set_pose(index, pose)
+        if has_moved:
+            set_poses(contact, start)
         contact.friction.begin_step(coords)
         contact.friction.slip = self.begun.slip
-        for index, pose in enumerate(end if has_moved else []):
-            contact.obstacles.set_pose(index, pose)
+        if has_moved:
+            set_poses(contact, end)
 
     def _values(self, coords: np.ndarray) -> np.ndarray:
         """Forces and slip of a step that has begun, which ends with that."""
@@ -81,6 +81,7 @@ class StepSlopes:
     def by_coords(self) -> tuple[Any, Any]:
         """Derivatives of forces and slip by the coordinates at the end."""
         pattern = _stacked(_ones(self.tangent), self._of_sliders(self.tangent))
+        pattern = off_axis(pattern, self.contact, self.coords, self.step)
         return self._split(slopes(self._at_end, self.coords.ravel(), pattern, self.step, self.scale))
 
     def by_start(self) -> tuple[Any, Any]:
@@ -92,6 +93,7 @@ class StepSlopes:
         # What bears at the start decides how much of the step counts.
         columns = _ones(self._of_sliders(self.tangent) + self._of_sliders(before))
         pattern = _stacked(_ones(self._of_sliders(self.tangent).T @ columns), columns)
+        pattern = off_axis(pattern, self.contact, self.begun.coords, self.step)
         found = self._split(slopes(self._at_start, self.begun.coords.ravel(), pattern, self.step, self.scale))
         self._begin(self.begun.coords, self.begun.poses, self.poses)
         return found
@@ -108,7 +110,7 @@ class StepSlopes:
 
         nodes = self.contact.mesh.boundary_facets().nodes.astype(np.int64) - self.contact.options["index_base"]
         of_facet = nodes[self.sliders[:, 0].astype(np.int64)][:, : self.dim]
-        dofs = (of_facet[:, :, None] * self.dim + np.arange(self.dim)).reshape(len(of_facet), -1)
+        dofs = (of_facet[:, :, None] * self.dim + np.arange(self.dim)).reshape(len(of_facet), self.dim**2)
         wide = np.repeat(dofs, self.dim, axis=0)
         rows = np.repeat(np.arange(len(wide)), wide.shape[1])
         facets = csr_matrix((np.ones(wide.size), (rows, wide.ravel())), (len(wide), self.coords.size))
@@ -120,6 +122,8 @@ class StepSlopes:
         found = np.zeros((2, len(self.poses), self.dim + 3))
         axes = [axis for axis in range(self.dim + 3) if ("positions" if axis < self.dim else "rotations") in names]
         for place in np.ndindex(2, len(self.poses)):
+            if self.poses[place[1]] is None:
+                continue
             # In the plane the only axis is the third.
             for axis in (axis for axis in axes if self.dim == 3 or axis not in (2, 3)):
                 found[(*place, axis)] = self._by_pose(place, axis) @ along
@@ -131,7 +135,9 @@ class StepSlopes:
         for by in (step, -step):
             poses = [list(self.poses), list(self.begun.poses)]
             when, obstacle = place
-            poses[when][obstacle] = moved_pose(poses[when][obstacle], axis, by)
+            moved = poses[when][obstacle]
+            assert moved is not None
+            poses[when][obstacle] = moved_pose(moved, axis, by)
             self._begin(self.begun.coords, poses[1], poses[0])
             ends.append(self._values(self.coords))
         rate: np.ndarray = (ends[0] - ends[1]) / (2 * step)

@@ -23,6 +23,7 @@ from ..friction import WIDTH
 from ..gradients import Gradients
 from ..pose import Pose
 from .adjoint import bodies_of_end
+from .at_equilibrium import poses_of, set_poses
 from .closed import End
 from .history_slopes import StepSlopes
 from .outcome import Equilibrium
@@ -34,19 +35,17 @@ class Begun:
 
     x: np.ndarray
     coords: np.ndarray
-    poses: list[Pose]
+    poses: list[Optional[Pose]]
     slip: np.ndarray
 
     @classmethod
     def here(cls, contact: Contact, x: np.ndarray, coords: np.ndarray) -> Begun:
         """The step that has just begun at these coordinates."""
-        poses = [contact.obstacles.get(index).pose for index in range(contact.obstacles.count)]
-        return cls(x, coords, poses, contact.friction.slip)
+        return cls(x, coords, poses_of(contact), contact.friction.slip)
 
     def put_back(self, contact: Contact) -> None:
         """Has the contact begin this step."""
-        for index, pose in enumerate(self.poses):
-            contact.obstacles.set_pose(index, pose)
+        set_poses(contact, self.poses)
         contact.friction.begin_step(self.coords)
         contact.friction.slip = self.slip
 
@@ -193,3 +192,7 @@ def refuse(contact: Contact) -> None:
         raise UnsupportedError("derivatives of a history with multipliers: give find_equilibrium no penetration, and the contact a stiffness")
     if len(contact.mesh.point_weights()) != contact.unknown_count:
         raise UnsupportedError("derivatives of a history with cells of second order")
+    if len(contact.wear.facets):
+        raise UnsupportedError("derivatives of a history with wear")
+    if len(contact.friction.history):
+        raise UnsupportedError("derivatives of a history with a law of friction that keeps a history")
