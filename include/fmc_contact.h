@@ -44,9 +44,8 @@ extern "C" {
 
 // ---- Version ---------------------------------------------------------------------------------------------
 
-// Version of the binary interface that this header describes. It grows when a struct, a function or the meaning of one
-// changes in a way that a compiled host would notice; a host compares it with `fmc_abi_version()` when it loads the
-// library at run time.
+// Version of the binary interface that this header describes. It grows when a struct or a function changes in a way
+// that a compiled host would notice. A host that loads the library at run time compares it with `fmc_abi_version()`.
 #define FMC_ABI_VERSION 3
 
 // Version of the library, such as "0.1.0". The text is constant and never freed. Threads: any.
@@ -61,8 +60,8 @@ int32_t fmc_has_feature(const char *name);
 
 // ---- Statuses, and the text of an error ------------------------------------------------------------------
 
-// Result of a call. 0 is success; every cause of failure has a code of its own, and the text that names the
-// offending indices and values is given by `fmc_last_error`.
+// Result of a call. 0 is success. Every cause of failure has a separate code. `fmc_last_error` returns a text with the
+// offending indices and values.
 //
 // After any error the outputs are untouched and the context is as it was before the call. Codes are never reused.
 typedef enum {
@@ -72,9 +71,9 @@ typedef enum {
   FMC_ERROR_NULL_POINTER = 1,
   // A pointer is not a multiple of its element's size.
   FMC_ERROR_MISALIGNED_POINTER = 2,
-  // The length of an array is not what the mesh says, or cannot be addressed.
+  // The length of an array does not match the mesh, or cannot be addressed.
   FMC_ERROR_LENGTH = 3,
-  // The host's array is shorter than what is to be written into it.
+  // The host's array is too short for the output.
   FMC_ERROR_BUFFER_TOO_SMALL = 4,
   // Strides for which entries of an output share memory, or that cannot be addressed.
   FMC_ERROR_STRIDE = 5,
@@ -126,7 +125,7 @@ typedef enum {
   FMC_ERROR_BUSY = 28,
   // A volume, energy, force or entry of the tangent exceeds the range of a double.
   FMC_ERROR_OVERFLOW = 29,
-  // A panic was caught: a defect of this library. The text says what and where.
+  // A panic was caught: a defect of this library. The text gives the reason and the place.
   FMC_ERROR_PANIC = 30,
   // The points of a convex hull lie in one plane (2D: on one line), or their hull cannot be found to rounding.
   FMC_ERROR_DEGENERATE_HULL = 31,
@@ -189,7 +188,7 @@ typedef enum {
   FMC_ERROR_BAD_VALUE = 59,
   // A bit of `flags` that the function does not have.
   FMC_ERROR_UNKNOWN_FLAG = 60,
-  // Two options exclude one another, or one would have no effect beside the others.
+  // Two options exclude one another, or one would have no effect in combination with the rest.
   FMC_ERROR_OPTIONS_CONFLICT = 61,
   // A reserved field is not zero: an option of a later version of the library.
   FMC_ERROR_RESERVED_FIELD = 62,
@@ -207,7 +206,7 @@ typedef enum {
   FMC_ERROR_INTERFACE_LAW = 67,
 } fmc_status;
 
-// Class of a status: what a host does about it.
+// Class of a status: how a host reacts to it.
 typedef enum {
   // Success.
   FMC_CLASS_OK = 0,
@@ -231,7 +230,7 @@ typedef enum {
 const char *fmc_status_name(int32_t status);
 
 // Class of a status, a value of `fmc_status_class_value`; `FMC_CLASS_INTERNAL` for a number that is no status. A host that
-// branches on classes bears statuses of later versions of the library. Threads: any.
+// branches on classes tolerates statuses of later versions of the library. Threads: any.
 int32_t fmc_status_class(int32_t status);
 
 // Text of the last call that failed on this thread, "" if none did; never NULL. It names the offending indices.
@@ -247,15 +246,15 @@ typedef enum {
   // w = k V^m for every overlapping pair; k is `stiffness`, m is `exponent`. Key value "volume".
   FMC_LAW_VOLUME = 0,
   // w = sum of psi(L) over lines along the mean normal of the contact, L being the penetration on each. Without
-  // `smoothing_length`, psi = k L^2 / 2, the pressure k L, and k, the `stiffness`, is a pressure per length; with a
-  // smoothing length s, psi = k (sqrt(L^2 + s^2) - s), and k is a pressure as for "volume" with exponent 1. Key value
-  // "fiber".
+  // `smoothing_length`, psi = k L^2 / 2, the pressure is k L, and k, the `stiffness`, is a pressure per length. With
+  // a smoothing length s, psi = k (sqrt(L^2 + s^2) - s), and k is a pressure as for "volume" with exponent 1. Key
+  // value "fiber".
   FMC_LAW_FIBER = 1,
-  // w = k/2 times the integral over the overlap of g_A + g_B, the depths of both bodies' material below their own
-  // surfaces; against an obstacle k times that of the depth below its surface. Flat faces press with k times their
-  // penetration, as with "fiber", and k is a pressure per length; but there are no directions and no patches, and
-  // the energy has no step wherever corners, edges and whole bodies go. Bodies need cells. It is measured
-  // without lines under every estimator. Key value "depth".
+  // w = k/2 times the integral of g_A + g_B over the overlap, where g_A and g_B are the depths of both bodies'
+  // material below their surfaces. Against an obstacle w is k times the integral of the depth below its surface.
+  // Flat faces press with k times their penetration, as with "fiber", and k is a pressure per length. There are no
+  // directions and no patches, and the energy is continuous for any motion of corners, edges and whole bodies.
+  // Bodies need cells. It is measured without lines under every estimator. Key value "depth".
   FMC_LAW_DEPTH = 2,
 } fmc_law;
 
@@ -274,8 +273,8 @@ typedef enum {
 typedef enum {
   // Families of parallel lines. Key value "lines".
   FMC_PATTERN_LINES = 0,
-  // Short segments of random place and direction, as in the paper; the variance of the force is infinite. Key value
-  // "isotropic".
+  // Short segments of random place and direction, as published (doi:10.1016/j.cma.2025.118645); the variance of the
+  // force is infinite. Key value "isotropic".
   FMC_PATTERN_ISOTROPIC = 1,
 } fmc_pattern;
 
@@ -328,19 +327,19 @@ typedef struct {
   int32_t check_cells;
   // Number of threads, at least 1, the default. The result does not depend on it.
   int32_t threads;
-  // What nodes, cells, facets, degrees of freedom, rows and columns count from, 0 or 1, in all that goes in and comes out, and in
-  // messages. Default 0. Bodies, obstacles, pairs and warnings count from 0.
+  // First number of nodes, cells, facets, degrees of freedom, rows and columns, 0 or 1, in input, output and messages. Default 0.
+  // Bodies, obstacles, pairs and warnings count from 0.
   int32_t index_base;
-  // 1: axisymmetry, in 2D. Coordinates are (r, z) with r >= 0, and volumes, areas, energies and forces are those of
-  // whole rings: everything counts 2 pi r. Default 0. Not with isotropic fibers.
+  // 1: axisymmetry, in 2D. Coordinates are (r, z) with r >= 0, and volumes, areas, energies and forces refer to
+  // whole rings: integrals have the factor 2 pi r. Default 0. Not with isotropic fibers.
   int32_t axisymmetric;
   // Smoothing length of the law "fiber", over which the pressure grows to k; 0, the default: the quadratic law. Refused
   // with any other law.
   double smoothing_length;
-  // Coefficient of Coulomb friction of all pairs that have none of their own, at least 0; infinite: nothing slides where it presses, but by
-  // `shear_limit`, and not with `memoryless_slip`. Default 0: no friction. With
-  // it, steps are begun and committed, see `fmc_context_begin_step`, and the tangent is unsymmetric. With the law
-  // "volume" not without `friction_stiffness` or `memoryless_slip`.
+  // Coefficient of Coulomb friction of all pairs without a separate one, at least 0. Infinite: facets under pressure never slide, unless
+  // `shear_limit` lets them; not with `memoryless_slip`. Default 0: no friction. With it, steps are begun and committed, see
+  // `fmc_context_begin_step`, and the tangent is unsymmetric. With the law "volume" not without `friction_stiffness` or
+  // `memoryless_slip`.
   double friction_coefficient;
   // Tangential stiffness of the stick, a pressure per length; 0, the default: the stiffness of the law at a first touch.
   double friction_stiffness;
@@ -348,20 +347,20 @@ typedef struct {
   double cohesion;
   // Largest shear traction, a pressure; 0, the default: no limit.
   double shear_limit;
-  // Slip of a step from which on friction without memory acts in full: a speed times the time step, say. Smooth, and nothing
-  // is carried from one step to the next, so that what should stick creeps. 0, the default: friction with memory. Not
+  // Slip of a step from which on friction without memory acts in full: a speed times the time step, say. This law is smooth
+  // and carries nothing from one step to the next, so that sticking facets creep. 0, the default: friction with memory. Not
   // together with `friction_stiffness`.
   double memoryless_slip;
-  // Coefficient of friction of what rests, at least `friction_coefficient`, to which it falls over `weakening_slip`; 0, the default: one
+  // Static coefficient of friction, at least `friction_coefficient`, to which it falls over `weakening_slip`; 0, the default: one
   // coefficient. A facet that sticks throughout a step rests. Not together with `memoryless_slip`.
   double static_coefficient;
-  // Slip over which the coefficient falls from that at rest to that of what slides, in proportion, a length; positive with
+  // Slip over which the coefficient falls linearly from the static to the kinetic one, a length; positive with
   // `static_coefficient`, else 0, the default.
   double weakening_slip;
-  // Distance within which nodes of one body are taken as one for contact, at least 0, a length, for meshes whose nodes were not merged; it
-  // holds from `fmc_context_new_from_cells` or `fmc_contact_force` on and is not changed later. A node that others are one with lies in
-  // their mean, and each has an equal part of its force. Smaller than every edge. Without `body_ids` parts that are welded become one
-  // body. 0, the default: every node is one of its own. Refused for bodies given by facets, and for meshes in parts.
+  // Distance within which contact treats nodes of one body as one node, at least 0, a length, for meshes whose nodes were not merged. It
+  // is read by `fmc_context_new_from_cells` and `fmc_contact_force` and cannot be changed later. A welded node lies in the mean of its
+  // nodes, and each of them has an equal part of its force. Smaller than every edge. Without `body_ids` parts that are welded become one
+  // body. 0, the default: no nodes are welded. Refused for bodies given by facets, and for meshes in parts.
   double weld;
   // Zero. Room for options of later versions.
   uint64_t reserved[7];
@@ -385,7 +384,8 @@ fmc_status fmc_options_set(fmc_options *options, const char *key, const char *va
 //
 // For the laws "depth" and "fiber" k = 10 E / h, a pressure per length: a penetration of a tenth of a cell presses with E.
 // `dim` and `exponent` have no effect. For the law "volume" with the exponent m an overlap a tenth of a cell deep over a
-// patch one cell wide presses with E: k = E / (m V^(m - 1)), V = h^dim / 10, in Pa / (length^dim)^(m - 1); for m = 1 it is E.
+// patch one cell wide presses with E: k = E / (m V^(m - 1)), V = h^dim / 10. Its unit is Pa / (length^dim)^(m - 1); for m = 1
+// it is E.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BAD_VALUE` for an unknown law, `FMC_ERROR_DIMENSION`,
 // `FMC_ERROR_NOT_POSITIVE`. Threads: any.
@@ -398,8 +398,8 @@ fmc_status fmc_suggest_stiffness(int32_t law,
 
 // ---- Arrays of the host, and its mesh --------------------------------------------------------------------
 
-// Type of a cell. The numbers are those of VTK, and so is the node order, but for `FMC_WEDGE6`. Cells of the mirrored order
-// are taken too: what is outside follows from the volume of the body.
+// Type of a cell. Numbers and node order are as in VTK, except for `FMC_WEDGE6`. Cells of the mirrored order are accepted
+// too: the outward side follows from the volume of the body.
 typedef enum {
   // Triangle, 2D, 3 nodes.
   FMC_TRI3 = 5,
@@ -423,8 +423,8 @@ typedef enum {
   FMC_TET10 = 24,
   // Hexahedron of second order, 3D, 20 nodes: the corners, then the middles of 01, 12, 23, 30, 45, 56, 67, 74, 04, 15, 26, 37.
   FMC_HEX20 = 25,
-  // Wedge of second order, 3D, 15 nodes: the corners as those of `FMC_WEDGE6`, then the middles of 01, 12, 20, 34, 45, 53, 03,
-  // 14, 25.
+  // Wedge of second order, 3D, 15 nodes: the corners as in `FMC_WEDGE6`, then the middles of 01, 12, 20, 34, 45, 53, 03, 14,
+  // 25.
   FMC_WEDGE15 = 26,
   // Pyramid of second order, 3D, 13 nodes: the corners, then the middles of 01, 12, 23, 30, 04, 14, 24, 34.
   FMC_PYRAMID13 = 27,
@@ -459,7 +459,7 @@ typedef struct {
 typedef struct {
   // First component of the first node.
   double *data;
-  // Number of nodes that it has room for, at least that of the mesh; if 0, `data` may be NULL.
+  // Number of nodes that fit into it, at least as many as the mesh has; if 0, `data` may be NULL.
   size_t node_count;
   // From one node to the next.
   ptrdiff_t node_stride;
@@ -469,8 +469,8 @@ typedef struct {
 
 // Cells of one type; a mixed mesh has a block for each.
 //
-// A cell may name nodes repeatedly, as a hexahedron of which an edge or a face has become a point: it is the wedge, pyramid,
-// tetrahedron or triangle that its faces make it, also of second order. Cells and faces count as given.
+// A cell may name nodes repeatedly, for example a hexahedron with an edge or a face collapsed to a point. It then is the
+// wedge, pyramid, tetrahedron or triangle that its faces form, also of second order. Cells and faces count as given.
 typedef struct {
   // A value of `fmc_cell_type`.
   int32_t cell_type;
@@ -485,11 +485,11 @@ typedef struct {
 
 // ---- Create a context ------------------------------------------------------------------------------------
 
-// Level of a log message: something the user should know about a result that is an answer all the same.
+// Level of a warning: the result is valid, but the user should read the message.
 #define FMC_LOG_WARNING 1
 
-// Type of a facet of a surface. The numbers are those of VTK, and so is the node order. An edge has the body on its left; the
-// corners of a triangle or quadrilateral run counter-clockwise seen from outside.
+// Type of a facet of a surface. Numbers and node order are as in VTK. An edge has the body on its left; the corners of a
+// triangle or quadrilateral run counter-clockwise seen from outside.
 typedef enum {
   // Edge, 2D, 2 nodes.
   FMC_FACET_LINE2 = 3,
@@ -507,7 +507,7 @@ typedef enum {
   FMC_FACET_QUAD9 = 28,
 } fmc_facet_type;
 
-// Facets, search trees and obstacles of a mesh in contact, and what the last evaluation found. Opaque.
+// Facets, search trees and obstacles of a mesh in contact, and the results of the last evaluation. Opaque.
 //
 // Contexts share nothing, so different ones may be used by different threads at once. One context may be used by one
 // thread after another. Concurrent calls on it, from two threads or from inside a callback, return `FMC_ERROR_BUSY`.
@@ -531,7 +531,7 @@ typedef struct {
   size_t facet_count;
 } fmc_facet_block;
 
-// Whether the call that is running is to end: 0 to go on. `user` is the pointer given with it.
+// Returns whether to end the running call: 0 to go on. `user` is the pointer given with it.
 //
 // It is called on the thread that called the library. It must not call a function of the same context, throw, or jump out.
 typedef int32_t (*fmc_interrupt_callback)(void *user);
@@ -567,11 +567,11 @@ fmc_status fmc_context_new_from_cells(int32_t dim,
 // Makes a context from a surface: the boundary facets of closed bodies, of any types of `fmc_facet_type`, in one block for each type.
 //
 // An edge has its body on the left, other facets run counter-clockwise seen from outside. Facets of second order are measured as the
-// faces of cells of second order are, and give the same forces. In space a straight edge and one with a node in its middle do not
-// fit. `body_ids`, one for every facet counted over the blocks, as wide as node numbers, may be NULL: bodies are the connected
+// faces of cells of second order are, and give the same forces. In 3D an edge with a mid-side node does not conform to a straight
+// edge. `body_ids`, one for every facet counted over the blocks, as wide as node numbers, may be NULL: bodies are the connected
 // components by nodes. Otherwise as `fmc_context_new_from_cells`; also `FMC_ERROR_OPEN_SURFACE`,
 // `FMC_ERROR_INCONSISTENT_ORIENTATION`, `FMC_ERROR_INVERTED_SURFACE`, `FMC_ERROR_NON_CONFORMING`, and `FMC_ERROR_INVERTED_CELL` for a
-// facet a part of which faces away from the whole: a node in the middle of an edge nearer than an eighth of the edge to an end of it,
+// facet of which a part faces the other way. A mid-side node too near to a corner causes this: nearer than an eighth of the edge,
 // along the edge.
 fmc_status fmc_context_new_from_facets(int32_t dim,
                                        const fmc_coords *coords,
@@ -589,8 +589,8 @@ fmc_status fmc_context_new_from_facets(int32_t dim,
 fmc_status fmc_context_set_options(fmc_context *context,
                                    const fmc_options *options);
 
-// The options in force: those of the creation or of the last `fmc_context_set_options`, with the stiffness that
-// `fmc_context_stiffen` has made of theirs.
+// The options in force, as given at creation or to the last `fmc_context_set_options`. Their stiffness includes the
+// factors of `fmc_context_stiffen`.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUSY`. Threads: several at once on one context, as long as no call
 // changes it.
@@ -613,11 +613,12 @@ fmc_status fmc_context_counts(const fmc_context *context,
 fmc_status fmc_context_welded_node_count(const fmc_context *context,
                                          size_t *count);
 
-// Sets a callback that is asked some twenty times a second, while a call computes, whether it is to end; NULL, the default: none.
+// Sets a callback that the library asks some twenty times a second, during a call, whether to end the call; NULL, the default:
+// none.
 //
 // A call that is ended returns `FMC_ERROR_INTERRUPTED`; the context is as it was before, and may be used on. A search for an equilibrium
-// is refused then. The callback is asked while pairs are measured, lines laid and depths found; not within a factorisation or a contact
-// step's linear algebra, and not while ranks share the work, which would wait for one another.
+// is refused then. The library calls it while it measures pairs. It does not call it within a factorisation or the linear algebra of a
+// contact step, nor while ranks share the work, since they would wait for one another.
 //
 // The callback and `user` must outlive the context, or be replaced before they end. Errors: `FMC_ERROR_NULL_POINTER`,
 // `FMC_ERROR_UNSUPPORTED` for a mesh in parts, `FMC_ERROR_BUSY`. Threads: one call at a time on a context.
@@ -627,8 +628,8 @@ fmc_status fmc_context_set_interrupt(fmc_context *context,
 
 // ---- The mesh without deformation, and unknowns of the host ----------------------------------------------
 
-// A sparse matrix of the host in compressed rows (CSR): the entries of row r are those from `row_offsets[r]` to `row_offsets[r + 1]`,
-// in any order; those at one place add up. Initialise it with `fmc_csr_init`, then set all fields.
+// A sparse matrix of the host in compressed rows (CSR): row r has the entries from `row_offsets[r]` to `row_offsets[r + 1]`, in any
+// order; entries at one place add up. Initialise it with `fmc_csr_init`, then set all fields.
 typedef struct {
   // Set by `fmc_csr_init`, so that a struct that was not initialised is recognised.
   size_t struct_size;
@@ -636,7 +637,7 @@ typedef struct {
   size_t row_count;
   // Bytes of an offset and of a column, 4 or 8.
   int32_t index_size;
-  // What offsets, rows and columns count from, 0 or 1.
+  // First number of offsets, rows and columns, 0 or 1.
   int32_t index_base;
   // Where rows begin, and the last one ends: `row_count` + 1 numbers.
   const void *row_offsets;
@@ -648,8 +649,8 @@ typedef struct {
   uint64_t reserved[4];
 } fmc_csr;
 
-// Sets the coordinates of all nodes without deformation, from which the law "depth" has its depths; those at which the
-// context was created are the default.
+// Sets the coordinates of all nodes without deformation, from which the law "depth" measures its depths. By default
+// they are the coordinates at which the context was created.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_UNSUPPORTED` for a surface without cells, `FMC_ERROR_LENGTH`,
 // `FMC_ERROR_NON_FINITE_COORDINATE`, `FMC_ERROR_INVERTED_CELL`, `FMC_ERROR_ZERO_MEASURE`; the old coordinates then stay. Threads:
@@ -657,44 +658,45 @@ typedef struct {
 fmc_status fmc_context_set_reference(fmc_context *context,
                                      const fmc_coords *coords);
 
-// Says where `count` planes of symmetry are: `points` and `normals` are dense rows of `dim` numbers, a point in each plane and a vector
-// across it, of any length. For the law "depth" a face without deformation in one of them is no surface, since the body goes on behind
-// it. The host holds the nodes of such faces in their plane. Replaces what was said before, by planes or by nodes; `count` 0: all of the
-// surface is surface, and flush faces are not warned of. With a mesh in parts all ranks say the same.
+// Sets `count` planes of symmetry: `points` and `normals` are dense rows of `dim` numbers, a point in each plane and its normal, of any
+// length. For the law "depth" a face without deformation in one of them is no surface, since the body continues behind it. The host
+// holds the nodes of such faces in their plane. Replaces earlier planes and nodes of symmetry; `count` 0: there is no symmetry, and
+// flush faces cause no warning. With a mesh in parts all ranks pass the same planes.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NOT_POSITIVE` for a normal without length, `FMC_ERROR_UNSUPPORTED` for a body
-// that would have no surface left; what was said before then stays. Threads: one call at a time on a context.
+// that would have no surface left; earlier planes and nodes are then kept. Threads: one call at a time on a context.
 fmc_status fmc_context_set_symmetry_planes(fmc_context *context,
                                            const double *points,
                                            const double *normals,
                                            size_t count);
 
-// Names `count` nodes, counted from the option `index_base`, that lie in planes of symmetry, as `fmc_context_set_symmetry_planes` does by planes: those
-// in which the faces lie all of whose nodes are named, the fewest that hold all these nodes. A face of the contact surface in a corner
-// between two planes is none. Of second order those in the middle of edges and faces are named too.
+// Names `count` nodes, counted from the option `index_base`, that lie in planes of symmetry, instead of the planes of
+// `fmc_context_set_symmetry_planes`. The planes are found from the faces whose nodes are all named: they are the fewest planes that hold
+// all these nodes. A face of the contact surface in a corner between two planes does not count. With cells of second order name the nodes
+// in the middle of edges and faces, too.
 //
-// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NODE_OUT_OF_RANGE` naming the entry, `FMC_ERROR_UNSUPPORTED` for a body
-// that would have no surface left, or for nodes of a curved surface; what was named before then stays. Threads: one call at a time on a context.
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NODE_OUT_OF_RANGE` naming the entry, `FMC_ERROR_UNSUPPORTED` for a body that would have no
+// surface left, or for nodes of a curved surface; earlier planes and nodes are then kept. Threads: one call at a time on a context.
 fmc_status fmc_context_set_symmetry_nodes(fmc_context *context,
                                           const void *nodes,
                                           size_t count);
 
-// Has straight faces that stand for round surfaces measured as these: where faces of first order meet at less than `feature_angle`
-// degrees, the surface between them is the smooth one whose normals at the nodes are those of the faces around each. For the law
-// "depth" between two bodies; 0 takes faces for flat, the default. Curved faces of second order are measured as curved in any case. At
-// a larger angle faces meet at an edge of the body: 30 is usual. A round body needs some 40 facets around it.
+// Measures straight faces as the round surfaces that they represent: where faces of first order meet at less than `feature_angle`
+// degrees, the surface between them is smooth. Its normal at a node follows from the faces around the node. For the law "depth"
+// between two bodies; 0, the default: faces are flat. Curved faces of second order are measured as curved in any case. At a larger
+// angle faces meet at an edge of the body: 30 is usual. A round body needs some 40 facets around it.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NOT_POSITIVE` for an angle that is negative, no number, or 90 and more,
-// `FMC_ERROR_UNSUPPORTED` for a surface without cells and for a mesh in parts; what was set before then stays. Threads: one call at a
+// `FMC_ERROR_UNSUPPORTED` for a surface without cells and for a mesh in parts; the earlier angle is then kept. Threads: one call at a
 // time on a context.
 fmc_status fmc_context_set_surface_smoothing(fmc_context *context,
                                              double feature_angle);
 
-// Names a part of the surface, so that options of a pair can speak of it (`surface_a`, `surface_b`).
+// Names a part of the surface, so that options of a pair can refer to it (`surface_a`, `surface_b`).
 //
 // `facets` are `count` facets, each by its place in `fmc_context_boundary_facets` from 0 whatever the base, in any order; of a
 // quadrilateral face all four, of one of second order all its parts. They may belong to several bodies. `surface` becomes the number of
-// the part: 1, 2, ... It stays what it is on other reference coordinates.
+// the part: 1, 2, ... It does not depend on the reference coordinates.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`; `FMC_ERROR_BAD_VALUE` for a facet that does not exist, naming its entry; `FMC_ERROR_UNSUPPORTED` without
 // facets and for a mesh in parts, `FMC_ERROR_BUSY`. Nothing changes then. Threads: one call at a time on a context.
@@ -708,16 +710,15 @@ fmc_status fmc_context_add_surface(fmc_context *context,
 // Errors: `FMC_ERROR_NULL_POINTER`. Threads: any, on different structs.
 fmc_status fmc_csr_init(fmc_csr *matrix);
 
-// Has the nodes of the mesh moved by unknowns of the host: control points of splines, coefficients of hierarchical shape
-// functions, nodes of another mesh. `weights` has a row for every node of the mesh, and a column for every unknown: node n lies at
-// the sum over the entries of its row of the value times the coordinates of the unknown. It counts as it says itself, whatever the
-// context's `index_base`.
+// Lets unknowns of the host move the nodes of the mesh: control points of splines, coefficients of hierarchical shape functions,
+// nodes of another mesh. `weights` has a row for every node of the mesh, and a column for every unknown: node n lies at the sum of
+// value times coordinates of the unknown, over the entries of its row. Rows and columns count from the `index_base` of `weights`,
+// whatever the context's.
 //
-// From then on every `fmc_coords` and `fmc_forces` has `unknown_count` rows, tangents and the columns of gap gradients are
-// those of unknowns, and so are masses and the columns of `fmc_context_point_weights`. The mesh and its coordinates without
-// deformation stay, and so do the nodes of `fmc_context_nodal_contact` and `fmc_context_set_symmetry_nodes`. A pattern that
-// is kept (`fmc_context_keep_pattern`) is released.
-// `weights` NULL: nodes move by themselves again.
+// From then on every `fmc_coords` and `fmc_forces` has `unknown_count` rows. Tangents, masses, and the columns of gap
+// gradients and of `fmc_context_point_weights` refer to unknowns. The mesh and its coordinates without deformation stay,
+// and so do the nodes of `fmc_context_nodal_contact` and `fmc_context_set_symmetry_nodes`. A kept pattern
+// (`fmc_context_keep_pattern`) is released. `weights` NULL: the unknowns are again the positions of the nodes.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_STRUCT_SIZE`, `FMC_ERROR_RESERVED_FIELD`, `FMC_ERROR_INDEX_SIZE`,
 // `FMC_ERROR_LENGTH` for another number of rows and for offsets that descend, `FMC_ERROR_INDEX_OUT_OF_RANGE` for an unknown that
@@ -773,17 +774,17 @@ typedef struct {
 
 // Signed distance of a body in the obstacle's own frame, for `n` points at once.
 //
-// Read `x`, (n, dim) rows. Write `phi`, (n): negative inside, positive outside, with slope of at most 1.
-// Write `grad`, (n, dim) rows: its gradient, of any length; where phi = 0 it gives the outward normal. An entry left
-// unwritten counts as not finite. `user` is the pointer of the same name in the shape.
+// Read `x`, (n, dim) rows. Write `phi`, (n): negative inside, positive outside, with slope of at most 1. Write `grad`,
+// (n, dim) rows: its gradient, of any length; where phi = 0 it gives the outward normal. An unwritten entry counts as
+// not finite. `user` is the pointer of the same name in the shape.
 //
 // Return 0; any other value makes the evaluation fail with `FMC_ERROR_SIGNED_DISTANCE`, naming point i of the batch
 // for the value i + 1. It is called on the thread that evaluates, never from two threads at once. It must not call a
 // function of the same context (it would get `FMC_ERROR_BUSY`), throw, or jump out.
 typedef int32_t (*fmc_signed_distance)(void *user, size_t n, const double *x, double *phi, double *grad);
 
-// A rigid shape in its own frame, as data. `fmc_shape_init` sets all fields; then set those that its kind has, as
-// `fmc_shape_kind` says. Others are not read.
+// A rigid shape in its own frame, as data. `fmc_shape_init` sets all fields; then set the fields that `fmc_shape_kind`
+// lists for its kind. Other fields are not read.
 //
 // New fields take the place of reserved ones; the size of the struct does not change.
 typedef struct {
@@ -814,8 +815,9 @@ typedef struct {
   double lengths[2];
   // How far below the lowest height the flat bottom of the solid lies; its walls are vertical.
   double thickness;
-  // `fmc_part`s of a compound, of any kind, which may overlap. Its signed distance is the least of those of its parts: exact
-  // outside, and inside a single part; where parts overlap, the depth of a point is its largest depth in any part.
+  // `fmc_part`s of a compound, of any kind, which may overlap. Its signed distance is the least signed distance of its
+  // parts: exact outside, and inside a single part; where parts overlap, the depth of a point is its largest depth in any
+  // part.
   const void *parts;
   // Number of parts.
   size_t part_count;
@@ -857,18 +859,18 @@ fmc_status fmc_shape_init(fmc_shape *shape, int32_t kind);
 // Adds a rigid obstacle of any shape; everything but a signed distance is copied.
 //
 // Obstacles are in contact with the bodies of the mesh, not with one another. `pose` may be NULL for the origin;
-// `fmc_pose_along` makes that of a half-space from a point and its outward normal. `obstacle`, which may be NULL too,
-// receives the index: 0 for the first obstacle of the context, then 1, 2, ..., also after others were removed.
+// `fmc_pose_along` makes the pose of a half-space from a point and its outward normal. `obstacle`, which may be NULL
+// too, receives the index: 0 for the first obstacle of the context, then 1, 2, ..., also after others were removed.
 //
 // Both estimators support shapes that have facets or become polytopes; half-spaces and boxes too. `fibers`, `auto`, and the
 // law "depth" support all of them.
 //
-// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_STRUCT_SIZE`, `FMC_ERROR_RESERVED_FIELD`, `FMC_ERROR_BAD_VALUE` for a
-// `kind` or an `index_size` that is none, `FMC_ERROR_BAD_POSE`, `FMC_ERROR_NOT_POSITIVE`, `FMC_ERROR_BUSY`. Of a polytope those of
-// `fmc_context_new_from_facets`; of a convex hull `FMC_ERROR_DEGENERATE_HULL`, `FMC_ERROR_NON_FINITE_COORDINATE`; of a height
-// field `FMC_ERROR_TOO_FEW_HEIGHTS`, `FMC_ERROR_NON_FINITE_HEIGHT`; of a compound `FMC_ERROR_EMPTY_COMPOUND` and those of
-// its parts. `FMC_ERROR_UNSUPPORTED` for hulls and compounds if the library lacks the feature "shapes". Threads: one call
-// at a time on a context.
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_STRUCT_SIZE`, `FMC_ERROR_RESERVED_FIELD`, `FMC_ERROR_BAD_VALUE` for a `kind` or an
+// `index_size` that does not exist, `FMC_ERROR_BAD_POSE`, `FMC_ERROR_NOT_POSITIVE`, `FMC_ERROR_BUSY`. For a polytope as
+// `fmc_context_new_from_facets`; for a convex hull `FMC_ERROR_DEGENERATE_HULL`, `FMC_ERROR_NON_FINITE_COORDINATE`; for a height
+// field `FMC_ERROR_TOO_FEW_HEIGHTS`, `FMC_ERROR_NON_FINITE_HEIGHT`; for a compound `FMC_ERROR_EMPTY_COMPOUND` and the errors of
+// its parts. `FMC_ERROR_UNSUPPORTED` for hulls and compounds if the library lacks the feature "shapes". Threads: one call at a
+// time on a context.
 fmc_status fmc_context_add_obstacle(fmc_context *context,
                                     const fmc_shape *shape,
                                     const fmc_pose *pose,
@@ -880,9 +882,9 @@ fmc_status fmc_context_add_obstacle(fmc_context *context,
 // Threads: several at once on one context, as long as no call changes it.
 fmc_status fmc_context_obstacle_shape(const fmc_context *context, size_t obstacle, int32_t *kind, fmc_pose *pose);
 
-// Moves an obstacle, and turns and scales it: the whole pose is set, so that one of a position alone turns a ceiling into
-// a floor. To move it only, fill the pose by `fmc_context_obstacle_shape` and change its position. Results of the last
-// evaluation are kept.
+// Moves an obstacle, and turns and scales it: the whole pose is set, so that a pose with only a position turns a ceiling
+// into a floor. To move it only, fill the pose by `fmc_context_obstacle_shape` and change its position. Results of the
+// last evaluation are kept.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_OBSTACLE_OUT_OF_RANGE`, `FMC_ERROR_OBSTACLE_REMOVED`,
 // `FMC_ERROR_BAD_POSE`, `FMC_ERROR_BUSY`. Threads: one call at a time on a context.
@@ -890,10 +892,10 @@ fmc_status fmc_context_set_pose(fmc_context *context,
                                 size_t obstacle,
                                 const fmc_pose *pose);
 
-// Removes an obstacle, and the options of its pairs. The others keep their indices; that of the removed one is never
-// given again: it stays in the counts, with a resultant of zero, and its row in the tangent is empty. Results of the
-// last evaluation are kept. Afterwards the library does not use the callback and the `user` of a signed distance any
-// more.
+// Removes an obstacle, and the options of its pairs. All other obstacles keep their indices, and the index of the
+// removed one is never reused. It stays in the counts, with a resultant of zero, and its row in the tangent is empty.
+// Results of the last evaluation are kept. Afterwards the library does not use the callback and the `user` of a signed
+// distance any more.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_OBSTACLE_OUT_OF_RANGE`, `FMC_ERROR_OBSTACLE_REMOVED` if it was removed
 // before, `FMC_ERROR_BUSY`. Threads: one call at a time on a context.
@@ -905,30 +907,30 @@ fmc_status fmc_context_remove_obstacle(fmc_context *context, size_t obstacle);
 // after they change.
 #define FMC_PAIR_LAW_OF_CONTEXT -1
 
-// Value of `friction_coefficient` in `fmc_pair_options`: the pair has that of the context's options, also after it
-// changes.
+// Value of `friction_coefficient` in `fmc_pair_options`: the pair takes the coefficient of the context's options, also
+// after it changes.
 #define FMC_PAIR_FRICTION_OF_CONTEXT -1
 
-// What happens between two bodies.
+// Interface between two bodies.
 typedef enum {
   // They press and rub where they touch.
   FMC_INTERFACE_CONTACT = 0,
-  // They go together where their faces face one another without deformation, within `reach` and up to an angle of 60 degrees; they are in
+  // They are tied where their faces face one another without deformation, within `reach` and up to an angle of 60 degrees. They are in
   // no contact, neither there nor elsewhere. A gap or an overlap within reach is kept. Not with an obstacle, the law "volume", or a mesh
   // in parts. See `fmc_context_tie`. Key value "tied".
   FMC_INTERFACE_TIED = 1,
-  // They are held together where those that are tied would be, by an interface that opens, slides and breaks. They are in no contact:
-  // the interface carries compression without damage, also where it is broken, at the points that faced one another at first. See
+  // They are held together where tied bodies would be, by an interface that opens, slides and breaks. They are in no contact: the
+  // interface carries compression without damage, also where it is broken, at the points that initially faced one another. See
   // `fmc_context_cohesive`. Key value "cohesive".
   FMC_INTERFACE_COHESIVE = 2,
-  // They slide on one another without friction, and do not separate, where those that are tied would be held: the normal part of a tie, also
-  // in compression. They are in no other contact. Points that face one another are found anew by `fmc_context_begin_step`,
-  // `fmc_context_commit_step` and `fmc_context_augment`. What holds for a tie holds for it. Key value "no_separation".
+  // They slide on one another without friction, and do not separate, where tied bodies would be held: the normal part of a tie, also in
+  // compression. They are in no other contact. `fmc_context_begin_step`, `fmc_context_commit_step` and `fmc_context_augment` search
+  // again for the points that face one another. The rules for ties apply. Key value "no_separation".
   FMC_INTERFACE_NO_SEPARATION = 3,
   // They press and open as in contact, and never slide where they touch: an infinite coefficient of friction. Key value "rough".
   FMC_INTERFACE_ROUGH = 4,
-  // They are held together where those with a cohesive interface would be, by a law of the host, and are in no contact: the law has to resist
-  // compression. Set by `fmc_context_set_law_pair`. Key value "law".
+  // They are held together where a cohesive interface would hold them, by a law of the host, and are in no contact: the law has to
+  // resist compression. Set by `fmc_context_set_law_pair`. Key value "law".
   FMC_INTERFACE_LAW = 5,
 } fmc_interface;
 
@@ -938,72 +940,74 @@ typedef enum {
   FMC_SOFTENING_LINEAR = 0,
   // Exponentially: it never quite ends. Key value "exponential".
   FMC_SOFTENING_EXPONENTIAL = 1,
-  // By the potential of Park, Paulino and Roesler, which says how it rises, too, and mixes opening and sliding: without `stiffness`,
+  // By the potential of Park, Paulino and Roesler, which also gives its rise, and mixes opening and sliding: without `stiffness`,
   // `mixed_mode_exponent` and `viscosity`. `fmc_context_set_ppr_pair` sets other shapes than the default ones. Key value "ppr".
   FMC_SOFTENING_PPR = 2,
 } fmc_softening;
 
-// Options of one pair of partners, in place of the context's. `fmc_pair_options_init` sets all of them to what a pair
-// has without options of its own.
+// Options of one pair of partners, in place of the context's. `fmc_pair_options_init` sets all of them to their
+// defaults.
 //
 // New options take the place of reserved fields; the size of the struct does not change.
 typedef struct {
   // Set by `fmc_pair_options_init`, so that a struct that was not initialised is recognised.
   size_t struct_size;
-  // k > 0 of the law of this pair, in the units of `stiffness` in `fmc_options`; only with `law`, and then without a
-  // default. With `FMC_INTERFACE_COHESIVE`, which has no law beside it: traction by opening without damage, and in compression; 0: so much
-  // that damage begins at a hundredth of the opening at which a linear softening ends.
+  // k > 0 of the law of this pair, in the units of `stiffness` in `fmc_options`; only with `law`, and then without a default. With
+  // `FMC_INTERFACE_COHESIVE`, and without `law`: traction / opening without damage, and in compression. 0: damage begins at a hundredth
+  // of the opening at which a linear softening ends.
   double stiffness;
   // m >= 1, for the law "volume" only. Default 1.
   double exponent;
   // Smoothing length of the law "fiber"; 0, the default: the quadratic law.
   double smoothing_length;
   // Distance at which contact begins, in length; 0, the default: at the surfaces. Penetration, gap and pressure are
-  // counted from there, also in weighted gaps. With an obstacle: its surface is taken to lie so much further out (a
-  // shell's thickness, a coating), or, if negative, further in (a clearance). Half-spaces, balls and capsules stay what
-  // they are, cylinders inwards; any other shape becomes its signed distance less the offset, with its outward edges
-  // rounded, and what holds for `FMC_SHAPE_SIGNED_DISTANCE` holds for it. Between bodies, and of one with itself,
-  // only with the law "depth" and not positive: -c lets either body in by c before it presses.
+  // counted from there, also in weighted gaps. With an obstacle: its surface lies so much further out (a shell's
+  // thickness, a coating), or, if negative, further in (a clearance). Half-spaces, balls and capsules keep their kind,
+  // and so do cylinders with a negative offset. Any other shape becomes its signed distance minus the offset, with its
+  // outward edges rounded, and is treated as `FMC_SHAPE_SIGNED_DISTANCE`. Between bodies, and of one with itself, only
+  // with the law "depth" and not positive: -c allows either body to penetrate by c before it presses.
   double gap_offset;
   // Coefficient of friction, at least 0 or infinite, or `FMC_PAIR_FRICTION_OF_CONTEXT`, the default; with
-  // `FMC_INTERFACE_COHESIVE` that of what is broken. All else of the friction is that of the context's options.
+  // `FMC_INTERFACE_COHESIVE` the coefficient of the broken part. All other options of friction are taken from the
+  // context.
   double friction_coefficient;
   // A value of `fmc_law`, or `FMC_PAIR_LAW_OF_CONTEXT`, the default.
   int32_t law;
-  // 1: the pair is left out; it is not measured, and adds nothing to any result. With `surface_a` and `surface_b` these parts are held, and
-  // no other face of the pair is in contact. Default 0.
+  // 1: the pair is excluded; it is not measured, and adds nothing to any result. With `surface_a` and `surface_b` these parts are held,
+  // and no other face of the pair is in contact. Default 0.
   int32_t excluded;
-  // Coefficient of friction of what rests, at least that of what slides; 0, the default: that of the context's options, or none where
+  // Static coefficient of friction, at least the kinetic one; 0, the default: as in the context's options, or none where
   // `friction_coefficient` is set.
   double static_coefficient;
-  // Slip over which it falls to that of what slides, a length; positive with `static_coefficient`, else 0, the default.
+  // Slip over which it falls to the kinetic coefficient, a length; positive with `static_coefficient`, else 0, the
+  // default.
   double weakening_slip;
-  // What happens between two bodies, a value of `fmc_interface`. Default `FMC_INTERFACE_CONTACT`.
+  // Interface between two bodies, a value of `fmc_interface`. Default `FMC_INTERFACE_CONTACT`.
   int32_t interface_kind;
   // A value of `fmc_softening`, with `FMC_INTERFACE_COHESIVE`. Default `FMC_SOFTENING_LINEAR`.
   int32_t softening;
-  // How far apart faces that belong together may be, or how far they may overlap, a length, with `FMC_INTERFACE_TIED`,
-  // `FMC_INTERFACE_COHESIVE` and `FMC_INTERFACE_NO_SEPARATION`; 0, the default: a tenth of the mean facet of the body with
-  // the larger facets, all its faces included.
+  // Largest distance or overlap of faces that are held together, a length, with `FMC_INTERFACE_TIED`,
+  // `FMC_INTERFACE_COHESIVE` and `FMC_INTERFACE_NO_SEPARATION`. 0, the default: a tenth of the mean facet of the body with
+  // the larger facets, including all its faces.
   double reach;
   // With `FMC_INTERFACE_COHESIVE`: traction at which damage begins in pure opening, positive.
   double normal_strength;
-  // The same in pure sliding; 0, the default: that of opening.
+  // The same in pure sliding; 0, the default: as in opening.
   double shear_strength;
   // Energy by area that pure opening takes until the interface is broken, positive.
   double normal_energy;
-  // The same of pure sliding; 0, the default: that of opening.
+  // The same in pure sliding; 0, the default: as in opening.
   double shear_energy;
   // Exponent, at least 1, by which the two are mixed (Benzeggagh and Kenane); 0, the default: 2.
   double mixed_mode_exponent;
   // With `FMC_INTERFACE_TIED`, `FMC_INTERFACE_COHESIVE` and `FMC_INTERFACE_NO_SEPARATION`: the part of the surface of `a`, a number of
-  // `fmc_context_add_surface`, whose faces may be held; 0, the default: all of it. Facets of both parts that are held are in no contact;
-  // all others of the pair press and rub, by the law "depth". Without parts nothing else of the pair is in contact.
+  // `fmc_context_add_surface`, whose faces may be held; 0, the default: all of it. Held facets of both parts are in no contact; all
+  // other facets of the pair press and rub, by the law "depth". Without parts no other facet of the pair is in contact.
   int32_t surface_a;
   // The same of `b`. Both are 0, or neither.
   int32_t surface_b;
   // With `FMC_INTERFACE_COHESIVE`: a time by which damage lags behind the law, so that searches pass where a structure snaps; 0, the
-  // default: none. `fmc_context_set_time_step` says how long a step takes.
+  // default: none. `fmc_context_set_time_step` sets the duration of a step.
   double viscosity;
   // Zero. Room for options of later versions.
   uint64_t reserved[3];
@@ -1013,18 +1017,18 @@ typedef struct {
 // `fmc_orthotropic_friction_init` sets all of it.
 //
 // With the coefficient of friction m1 of the pair, tractions (t1, t2) along the direction and across it lie in the ellipse
-// sqrt((t1/m1)^2 + (t2/m2)^2) <= p. Slip is that which dissipates most: normal to the ellipse, mostly not along the traction. With a
-// `static_coefficient` both limits are larger by the same factor.
+// sqrt((t1/m1)^2 + (t2/m2)^2) <= p. The slip maximises the dissipation: it is normal to the ellipse, mostly not along the traction.
+// With a `static_coefficient` both limits are larger by the same factor.
 typedef struct {
   // Set by `fmc_orthotropic_friction_init`, so that a struct that was not initialised is recognised.
   size_t struct_size;
   // Coefficient m2 across the direction, at least 0 and finite. Default 0.
   double transverse_coefficient;
-  // The direction, of any length but 0 and of either sign: that of a body without deformation, that of an obstacle in its own frame. It is
-  // projected into the plane of each facet there, and goes along as the facet deforms and turns. A facet to which it is perpendicular, up
-  // to 0.06 degrees, has the transverse coefficient for all slip, and `FMC_WARNING_NO_FRICTION_DIRECTION` tells of it. Default 0: none.
+  // The direction, of any length but 0 and of either sign: on a body without deformation, on an obstacle in its frame. It is projected
+  // into the plane of each facet there, and moves along as the facet deforms and turns. A facet to which it is perpendicular, up to 0.06
+  // degrees, has the transverse coefficient for all slip, and `FMC_WARNING_NO_FRICTION_DIRECTION` reports it. Default 0: none.
   double direction[3];
-  // To which of the two the direction belongs, in the order of the call: 0, the default, to `a`; 1 to `b`.
+  // The partner to which the direction belongs, in the order of the call: 0, the default, to `a`; 1 to `b`.
   int32_t direction_of;
   // Zero.
   int32_t unused;
@@ -1042,16 +1046,16 @@ typedef struct {
   double normal_shape;
   // Shape beta of sliding. Default 2.
   double shear_shape;
-  // The opening at the strength by that at which the traction ends, above 0 and at most 1/sqrt(2 alpha - 1). Default 0.05.
+  // Opening at the strength / opening at which the traction ends, above 0 and at most 1/sqrt(2 alpha - 1). Default 0.05.
   double normal_slope;
-  // The same of sliding, by beta. Default 0.05.
+  // The same in sliding, with beta. Default 0.05.
   double shear_slope;
   // Zero. Room for options of later versions.
   uint64_t reserved[4];
 } fmc_ppr;
 
-// The points of a pair at which a law of the host is asked. All numbers of a point follow one another. Nothing of it may be written, or read
-// after the call.
+// The points of a pair at which the library calls a law of the host. All numbers of a point follow one another. The host must not write to
+// it, or read it after the call.
 //
 // New fields take the place of reserved ones; the size of the struct does not change.
 typedef struct {
@@ -1067,46 +1071,47 @@ typedef struct {
   size_t body;
   // See `body`.
   size_t partner;
-  // How long the step takes (`fmc_context_set_time_step`); 0: nothing was said.
+  // Duration of the step (`fmc_context_set_time_step`); 0: not set.
   double time_step;
-  // Lengths, (count, dim): the opening beyond the gap at first, along the normal of `partner`, negative where the bodies are pressed; then
-  // how far `body` has slid along the axes in the plane of the facet of `partner`.
+  // Lengths, (count, dim): the opening beyond the initial gap, along the normal of `partner`, negative in compression; then the slip of
+  // `body` along the axes in the plane of the facet of `partner`.
   const double *jump;
-  // Normal of `partner` and axes in space, by rows, (count, dim, dim), of length 1 and perpendicular to one another. In 2D the axis is the
-  // normal turned by +90 degrees. In 3D the first is the x axis projected into the undeformed facet (the z axis, where the normal is within
-  // 0.1 degrees of x), which goes along with the facet; the second is normal x first.
+  // Normal of `partner` and tangential axes, by rows, (count, dim, dim), orthonormal. In 2D the axis is the normal turned by +90
+  // degrees. In 3D the first is the x axis projected into the undeformed facet (the z axis, where the normal is within 0.1 degrees of
+  // x), which moves along with the facet. The second is normal x first.
   const double *axes;
   // Where the points are on `body`, (count, dim).
   const double *position;
   // The same without deformation.
   const double *reference;
-  // Areas that the points stand for, without deformation, (count).
+  // Tributary areas of the points, without deformation, (count).
   const double *area;
   // (count, history_count), as it was accepted last (`fmc_context_commit_step`); 0 at first.
   const double *history;
   // Number of fields (`fmc_context_set_law_fields`).
   size_t field_count;
-  // Fields at the point of `body`, then at that of `partner`, (count, 2, field_count).
+  // Fields at the point of `body`, then at the point of `partner`, (count, 2, field_count).
   const double *fields;
   // Zero.
   uint64_t reserved[4];
 } fmc_law_points;
 
-// Where a law of the host writes what it answers.
+// Output of a law of the host.
 //
 // New fields take the place of reserved ones; the size of the struct does not change.
 typedef struct {
   // Size of this struct, as the library wrote it.
   size_t struct_size;
-  // Force by area without deformation along the axes, (count, dim): positive where it resists a positive jump. An entry that is left
-  // unwritten counts as not finite.
+  // Force by area without deformation along the axes, (count, dim): positive where it resists a positive jump. An unwritten entry
+  // counts as not finite.
   double *traction;
-  // Its derivative by the jump, with history and time step held, (count, dim, dim), row by row: entry (i, j) is that of traction i by jump j.
-  // It need not be symmetric. An entry that is left unwritten counts as not finite.
+  // Its derivative by the jump, with history and time step held, (count, dim, dim), row by row: entry (i, j) is the derivative of
+  // traction i by jump j. It need not be symmetric. An unwritten entry counts as not finite.
   double *tangent;
-  // The history as it would be after a step that ends here, (count, history_count). At first it is what it was.
+  // The history as it would be after a step that ends here, (count, history_count). It is preset to the history at
+  // the start of the step.
   double *history;
-  // Energy by area that unloading would give back, (count); 0 at first. Nothing but what is told of energies depends on it.
+  // Energy by area that unloading would give back, (count); 0 at first. Only reported energies depend on it.
   double *stored;
   // The same that has been dissipated since the beginning.
   double *dissipated;
@@ -1116,10 +1121,11 @@ typedef struct {
 
 // A law of the host: writes tractions, tangents and history at all points of a pair in `response`. `user` is the pointer given with it.
 //
-// Return 0; any other value makes the call of the library fail with `FMC_ERROR_INTERFACE_LAW`, naming point i of the pair for the value i + 1.
-// It is called on the thread that evaluates, never from two threads at once, one pair after the other, ascending, with the points in the order
-// of `fmc_context_law_points`; where ranks share the work on every rank at all points. The same input must have the same answer, bit by bit.
-// It must not call a function of the same context (it would get `FMC_ERROR_BUSY`), throw, or jump out.
+// Return 0; any other value makes the call of the library fail with `FMC_ERROR_INTERFACE_LAW`, naming point i of the pair for the value i
+// + 1. It is called on the thread that evaluates, never from two threads at once. Pairs follow one another in ascending order, with the
+// points in the order of `fmc_context_law_points`. Where ranks share the work, it is called on every rank with all points. The same input
+// must have a bit-for-bit identical answer. It must not call a function of the same context (it would get `FMC_ERROR_BUSY`), throw, or
+// jump out.
 typedef int32_t (*fmc_respond)(void *user, const fmc_law_points *at, const fmc_law_response *response);
 
 // A law of the host on an interface, for `FMC_INTERFACE_LAW`. `fmc_own_law_init` sets all of it.
@@ -1128,9 +1134,9 @@ typedef int32_t (*fmc_respond)(void *user, const fmc_law_points *at, const fmc_l
 typedef struct {
   // Set by `fmc_own_law_init`, so that a struct that was not initialised is recognised.
   size_t struct_size;
-  // How many numbers a point carries from step to step. Default 0.
+  // Numbers that a point carries from step to step. Default 0.
   size_t history_count;
-  // The law. It and `user` must outlive the context, or the pair's options, if others are set before.
+  // The law. It and `user` must outlive the context, or be replaced before by other options of the pair.
   fmc_respond respond;
   // Passed to `respond`.
   void *user;
@@ -1138,8 +1144,8 @@ typedef struct {
   uint64_t reserved[4];
 } fmc_own_law;
 
-// The facets of a pair at which a law of friction of the host is asked, of both sides, as far as they bear. All numbers of a facet follow one
-// another. Nothing of it may be written, or read after the call.
+// The facets of a pair for which the library calls a law of friction of the host: all facets under pressure, of both sides. All numbers of
+// a facet follow one another. The host must not write to it, or read it after the call.
 //
 // New fields take the place of reserved ones; the size of the struct does not change.
 typedef struct {
@@ -1151,15 +1157,15 @@ typedef struct {
   size_t dim;
   // Numbers of the history of a facet.
   size_t history_count;
-  // The pair: index of a body, and of what it touches; 0 and 1 in `fmc_friction_law_check`.
+  // The pair: index of a body, and index of its partner; 0 and 1 in `fmc_friction_law_check`.
   size_t body;
   // See `body`.
   size_t partner;
-  // `fmc_partner`: the partner is a body, then not before `body`, or an obstacle.
+  // `fmc_partner`: the partner is a body, whose index is at least `body`, or an obstacle.
   int32_t partner_kind;
   // Zero.
   int32_t unused;
-  // How long the step takes (`fmc_context_set_time_step`); 0: nothing was said.
+  // Duration of the step (`fmc_context_set_time_step`); 0: not set.
   double time_step;
   // Stiffness k_T of the stick, a pressure by length; 0: friction without memory.
   double stiffness;
@@ -1167,18 +1173,18 @@ typedef struct {
   const size_t *facet;
   // Mean pressures over the area in contact, positive, (count).
   const double *pressure;
-  // Lengths, (count, dim - 1): how far `body` has slipped against `partner` since the step began, along the axes, elastic or not.
+  // Lengths, (count, dim - 1): slip of `body` against `partner` since the step began, along the axes, including its elastic part.
   const double *slip;
-  // Lengths, (count, dim - 1): the elastic slip if nothing slid in the step. Where its length times `stiffness` is beyond the limit, the facet
-  // slides by the rest.
+  // Lengths, (count, dim - 1): trial elastic slip, as if no facet slid in the step. Where its length times `stiffness` exceeds the
+  // limit, the facet slides by the rest.
   const double *trial;
-  // Axes in space, by rows, (count, dim - 1, dim), of length 1. In 2D the normal, out of `body`, turned by +90 degrees. In 3D the first is the
-  // x axis projected into the facet (the z axis, where the normal is within 6 degrees of x); the second is normal x first. They do not turn
-  // along with the material.
+  // Tangential unit axes, by rows, (count, dim - 1, dim). In 2D the normal, out of `body`, turned by +90 degrees. In 3D the first is the
+  // x axis projected into the facet (the z axis, where the normal is within 6 degrees of x); the second is normal x first. They do not
+  // turn along with the material.
   const double *axes;
   // Where the tractions act, (count, dim).
   const double *position;
-  // Areas for which the facets stand, (count): where two bodies meet, each side has half of the area in contact.
+  // Tributary areas of the facets, (count): where two bodies meet, each side has half of the area in contact.
   const double *area;
   // (count, history_count), as it was accepted last (`fmc_context_commit_step`); 0 at the first touch.
   const double *history;
@@ -1190,19 +1196,20 @@ typedef struct {
   uint64_t reserved[4];
 } fmc_friction_facets;
 
-// Where a law of friction of the host writes what it answers.
+// Output of a law of friction of the host.
 //
 // New fields take the place of reserved ones; the size of the struct does not change.
 typedef struct {
   // Size of this struct, as the library wrote it.
   size_t struct_size;
-  // Tractions at which the facets slide, force by area, at least 0, (count). An entry that is left unwritten counts as not finite.
+  // Tractions at which the facets slide, force by area, at least 0, (count). An unwritten entry counts as not finite.
   double *limit;
-  // Their derivatives by the pressure, with slip, history and time step held, (count). An entry that is left unwritten counts as not finite.
+  // Their derivatives by the pressure, with slip, history and time step held, (count). An unwritten entry counts as not finite.
   double *by_pressure;
   // Their derivatives by the slip, the trial going along with it, (count, dim - 1). 0 at first.
   double *by_slip;
-  // The history as it would be after a step that ends here, (count, history_count). At first it is what it was.
+  // The history as it would be after a step that ends here, (count, history_count). It is preset to the history at
+  // the start of the step.
   double *history;
   // Zero.
   uint64_t reserved[4];
@@ -1210,10 +1217,10 @@ typedef struct {
 
 // A law of friction of the host: writes the limits of all facets of a pair in `response`. `user` is the pointer given with it.
 //
-// Return 0; any other value makes the call of the library fail with `FMC_ERROR_INTERFACE_LAW`, naming facet i of the call for the value i + 1.
-// It is called on the thread that evaluates, never from two threads at once, one pair after the other, ascending; where ranks share the work on
-// every rank for all facets. The same input must have the same answer, bit by bit. It must not call a function of the same context (it would
-// get `FMC_ERROR_BUSY`), throw, or jump out.
+// Return 0; any other value makes the call of the library fail with `FMC_ERROR_INTERFACE_LAW`, naming facet i of the call for the value i
+// + 1. It is called on the thread that evaluates, never from two threads at once. Pairs follow one another in ascending order. Where ranks
+// share the work, it is called on every rank with all facets. The same input must have a bit-for-bit identical answer. It must not call a
+// function of the same context (it would get `FMC_ERROR_BUSY`), throw, or jump out.
 typedef int32_t (*fmc_limit_friction)(void *user, const fmc_friction_facets *at, const fmc_friction_response *response);
 
 // A law of friction of the host. `fmc_friction_law_init` sets all of it.
@@ -1222,9 +1229,9 @@ typedef int32_t (*fmc_limit_friction)(void *user, const fmc_friction_facets *at,
 typedef struct {
   // Set by `fmc_friction_law_init`, so that a struct that was not initialised is recognised.
   size_t struct_size;
-  // How many numbers a facet carries from step to step for each of those that it faces. Default 0.
+  // Numbers that a facet carries from step to step for each partner that it faces. Default 0.
   size_t history_count;
-  // The law. It and `user` must outlive the context, or the pair's options, if others are set before.
+  // The law. It and `user` must outlive the context, or be replaced before by other options of the pair.
   fmc_limit_friction limit;
   // Passed to `limit`.
   void *user;
@@ -1232,28 +1239,27 @@ typedef struct {
   uint64_t reserved[4];
 } fmc_friction_law;
 
-// Sets the options of a pair to what it has without options of its own: the law of the context, not left out.
+// Sets the options of a pair to their defaults: the law of the context, not excluded.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`. Threads: any, on different structs.
 fmc_status fmc_pair_options_init(fmc_pair_options *options);
 
 // Sets the options of a pair: a body with another, with itself, or with an obstacle, in either order. They apply from
 // the next evaluation on; `options` NULL: the pair follows the context's again, as every pair does at first. Friction of the pair is then
-// the same in all directions; for another, call `fmc_context_set_orthotropic_pair` instead. What the pair wears by stays; with NULL it wears no
-// more.
+// the same in all directions; for another, call `fmc_context_set_orthotropic_pair` instead. The wear coefficients of the pair are kept;
+// with NULL they are removed.
 //
 // `a_kind` and `b_kind` are values of `fmc_partner`; `a` and `b` count bodies as `fmc_context_body_resultant` and obstacles as
 // `fmc_context_obstacle_resultant`. For a body with itself these options decide in place of the context's `self_contact` whether
 // it is evaluated against itself: `excluded` switches that off for this body, and anything else on.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`; `FMC_ERROR_BODY_OUT_OF_RANGE`, `FMC_ERROR_OBSTACLE_OUT_OF_RANGE` and
-// `FMC_ERROR_OBSTACLE_REMOVED`, naming the index; `FMC_ERROR_BAD_VALUE` for an unknown kind or value,
-// `FMC_ERROR_OPTIONS_CONFLICT` for an option that would have no effect; `FMC_ERROR_RESERVED_FIELD`; `FMC_ERROR_STRUCT_SIZE`; `FMC_ERROR_NOT_POSITIVE`;
-// `FMC_ERROR_UNSUPPORTED` for two obstacles, for a law that the estimator of the context does not support, for a
-// gap offset between bodies that is positive or has another law than "depth", and for a pair that wears (`fmc_context_set_pair_wear`) and could
-// not with these options; `FMC_ERROR_UNTIED` for bodies that are
-// tied and face one another nowhere within reach, `FMC_ERROR_BUSY`. What was set before then stays. `fmc_context_set_options` refuses an
-// estimator that does not support the law of a pair. Threads: one call at a time on a context.
+// `FMC_ERROR_OBSTACLE_REMOVED`, naming the index; `FMC_ERROR_BAD_VALUE` for an unknown kind or value, `FMC_ERROR_OPTIONS_CONFLICT` for an
+// option that would have no effect; `FMC_ERROR_RESERVED_FIELD`; `FMC_ERROR_STRUCT_SIZE`; `FMC_ERROR_NOT_POSITIVE`. `FMC_ERROR_UNSUPPORTED`
+// for two obstacles, for a law that the estimator of the context does not support, for a gap offset between bodies that is positive or has
+// another law than "depth", and for a pair with wear coefficients (`fmc_context_set_pair_wear`) that cannot wear with these options.
+// `FMC_ERROR_UNTIED` for tied bodies that face one another nowhere within reach, `FMC_ERROR_BUSY`. The earlier options are then kept.
+// `fmc_context_set_options` refuses an estimator that does not support the law of a pair. Threads: one call at a time on a context.
 fmc_status fmc_context_set_pair_options(fmc_context *context,
                                         int32_t a_kind,
                                         size_t a,
@@ -1261,9 +1267,9 @@ fmc_status fmc_context_set_pair_options(fmc_context *context,
                                         size_t b,
                                         const fmc_pair_options *options);
 
-// The options of a pair, named as in `fmc_context_set_pair_options`. Of a pair without options of its own, those that
-// hold for it: for a body with itself `excluded` is 1 unless the context's `self_contact` is on. Another coefficient of friction across a
-// direction is told by `fmc_context_orthotropic_pair`.
+// The options of a pair, named as in `fmc_context_set_pair_options`. For a pair without separate options, these are the options in force:
+// for a body with itself `excluded` is 1 unless the context's `self_contact` is on. `fmc_context_orthotropic_pair` returns another
+// coefficient of friction across a direction.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BODY_OUT_OF_RANGE`, `FMC_ERROR_OBSTACLE_OUT_OF_RANGE`,
 // `FMC_ERROR_OBSTACLE_REMOVED`, `FMC_ERROR_BAD_VALUE` for an unknown kind, `FMC_ERROR_UNSUPPORTED` for two
@@ -1275,7 +1281,8 @@ fmc_status fmc_context_pair_options(const fmc_context *context,
                                     size_t b,
                                     fmc_pair_options *options);
 
-// Sets friction to what `fmc_context_orthotropic_pair` tells of a pair whose friction is the same in all directions.
+// Sets isotropic friction, as `fmc_context_orthotropic_pair` returns it for a pair whose friction is the same in all
+// directions.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`. Threads: any, on different structs.
 fmc_status fmc_orthotropic_friction_init(fmc_orthotropic_friction *friction);
@@ -1283,11 +1290,11 @@ fmc_status fmc_orthotropic_friction_init(fmc_orthotropic_friction *friction);
 // Sets the options of a pair as `fmc_context_set_pair_options` does, with another coefficient of friction across a direction. In 3D, of two
 // bodies or of a body and an obstacle. `fmc_context_set_pair_options` takes it back.
 //
-// Errors: those of `fmc_context_set_pair_options`; `FMC_ERROR_NOT_POSITIVE` for a coefficient that is negative or not finite, an
-// entry of the direction that is not finite, which the text names, and a direction of length 0; `FMC_ERROR_BAD_VALUE` for another `direction_of` than 0
-// and 1; `FMC_ERROR_UNSUPPORTED` in 2D, for a body with itself, for a direction of a body without cells, in a mesh in parts, beside an infinite
-// coefficient, a cohesion or a shear limit, and for a `static_coefficient` without a `friction_coefficient`. What was set before then
-// stays. Threads: one call at a time on a context.
+// Errors: as `fmc_context_set_pair_options`; `FMC_ERROR_NOT_POSITIVE` for a coefficient that is negative or not finite, for an entry of
+// the direction that is not finite, which the text names, and for a direction of length 0. `FMC_ERROR_BAD_VALUE` for a `direction_of`
+// other than 0 and 1. `FMC_ERROR_UNSUPPORTED` in 2D, for a body with itself, for a direction of a body without cells, in a mesh in parts,
+// with an infinite coefficient, a cohesion or a shear limit, and for a `static_coefficient` without a `friction_coefficient`. The earlier
+// options are then kept. Threads: one call at a time on a context.
 fmc_status fmc_context_set_orthotropic_pair(fmc_context *context,
                                             int32_t a_kind,
                                             size_t a,
@@ -1317,9 +1324,9 @@ fmc_status fmc_ppr_init(fmc_ppr *ppr);
 // Sets the options of a pair as `fmc_context_set_pair_options` does, whose interface is `FMC_INTERFACE_COHESIVE` and whose softening is
 // `FMC_SOFTENING_PPR`, with other shapes and initial slopes than the default ones.
 //
-// Errors: those of `fmc_context_set_pair_options`; `FMC_ERROR_NOT_POSITIVE` and `FMC_ERROR_UNSUPPORTED` for shapes and slopes that cannot be,
-// which the text names; `FMC_ERROR_OPTIONS_CONFLICT` for another interface or softening. What was set before then stays. Threads: one call
-// at a time on a context.
+// Errors: as `fmc_context_set_pair_options`; `FMC_ERROR_NOT_POSITIVE` and `FMC_ERROR_UNSUPPORTED` for impossible shapes and slopes, which
+// the text names; `FMC_ERROR_OPTIONS_CONFLICT` for another interface or softening. The earlier options are then kept. Threads: one call at
+// a time on a context.
 fmc_status fmc_context_set_ppr_pair(fmc_context *context,
                                     int32_t a_kind,
                                     size_t a,
@@ -1345,18 +1352,19 @@ fmc_status fmc_context_ppr_pair(const fmc_context *context,
 // Errors: `FMC_ERROR_NULL_POINTER`. Threads: any, on different structs.
 fmc_status fmc_own_law_init(fmc_own_law *law);
 
-// Checks a law without a context: whether the same question has the same answer, each point alone and beside others, and whether its tangents are
-// the derivatives of its tractions, by differences to 1e-6 of the largest entry. Corners of a law, where damage begins, are recognised.
+// Checks a law without a context: whether the same input has the same answer, for each point alone and among other points. It also
+// compares the tangents with differences of the tractions, to 1e-6 of the largest entry. Corners of a law, where damage begins, are
+// recognised.
 //
 // `scale` is a jump over which the tractions change, such as the opening at which damage begins, a length; differences have steps of 1e-6 of it.
-// `jump` has `jump_count` jumps of `dim` numbers at which to check; NULL with 0: 60 that the library spreads over -scale/4 ... scale along the
-// normal and -scale ... scale across it. The history is 0, and then what other jumps leave. `time_step` 0: none is said.
+// `jump` has `jump_count` jumps of `dim` numbers at which to check; NULL with 0: 60 that the library spreads over -scale/4 ... scale along
+// the normal and -scale ... scale across it. The history is 0, and then the result of other jumps. `time_step` 0: not set.
 //
-// `tell` may be NULL; else it gets a sentence for everything that was looked at, with level `FMC_LOG_WARNING` for what is wrong, else 0.
+// `tell` may be NULL; else it receives a sentence for each check, with level `FMC_LOG_WARNING` for a fault, else 0.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_STRUCT_SIZE`, `FMC_ERROR_RESERVED_FIELD`, `FMC_ERROR_BAD_VALUE` for a `history_count` above
-// 1048576, `FMC_ERROR_DIMENSION`, `FMC_ERROR_LENGTH`, `FMC_ERROR_NOT_POSITIVE`; `FMC_ERROR_INTERFACE_LAW` for a law that fails, answers what is
-// not finite, or is wrong, with all that is wrong in the text. Threads: any.
+// 1048576, `FMC_ERROR_DIMENSION`, `FMC_ERROR_LENGTH`, `FMC_ERROR_NOT_POSITIVE`. `FMC_ERROR_INTERFACE_LAW` for a law that fails, returns a
+// number that is not finite, or is wrong; the text lists all faults. Threads: any.
 fmc_status fmc_own_law_check(const fmc_own_law *law,
                              size_t dim,
                              double scale,
@@ -1369,8 +1377,8 @@ fmc_status fmc_own_law_check(const fmc_own_law *law,
 // Sets fields that laws of the host are asked with at their points, such as a temperature: `field_count` numbers for each of `row_count` rows of
 // the coordinates, all of a row together, (row_count, field_count). They stay until others are set; `field_count` 0: none.
 //
-// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_LENGTH` for another number of rows than coordinates have, `FMC_ERROR_NOT_POSITIVE` for what is not
-// finite, `FMC_ERROR_BUSY`; the old ones then stay. Threads: one call at a time on a context.
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_LENGTH` for another number of rows than coordinates have, `FMC_ERROR_NOT_POSITIVE` for a
+// number that is not finite, `FMC_ERROR_BUSY`; the old fields are then kept. Threads: one call at a time on a context.
 fmc_status fmc_context_set_law_fields(fmc_context *context,
                                       const double *values,
                                       size_t row_count,
@@ -1379,10 +1387,11 @@ fmc_status fmc_context_set_law_fields(fmc_context *context,
 // Sets the options of a pair as `fmc_context_set_pair_options` does, whose interface is `FMC_INTERFACE_LAW`, with the law. The history of its
 // points begins with zeros. `fmc_context_set_pair_options` with the same interface keeps law and history.
 //
-// The tangent is as symmetric as that of the law: take all of it, and an unsymmetric solver, unless the law has a potential.
+// The tangent is symmetric only if the tangent of the law is. Unless the law has a potential, take the full tangent and an
+// unsymmetric solver.
 //
-// Errors: those of `fmc_context_set_pair_options`; those of a law as `fmc_own_law_check` has them before it asks; `FMC_ERROR_OPTIONS_CONFLICT`
-// for another interface. What was set before then stays. Threads: one call at a time on a context.
+// Errors: as `fmc_context_set_pair_options`; the errors of `fmc_own_law_check` for an invalid struct; `FMC_ERROR_OPTIONS_CONFLICT` for
+// another interface. The earlier options are then kept. Threads: one call at a time on a context.
 fmc_status fmc_context_set_law_pair(fmc_context *context,
                                     int32_t a_kind,
                                     size_t a,
@@ -1396,17 +1405,17 @@ fmc_status fmc_context_set_law_pair(fmc_context *context,
 // Errors: `FMC_ERROR_NULL_POINTER`. Threads: any, on different structs.
 fmc_status fmc_friction_law_init(fmc_friction_law *law);
 
-// Checks a law of friction without a context: whether the same question has the same answer, each facet alone and beside others, and whether its
-// derivatives are those of its limit, by differences to 1e-6. Corners of a law are recognised.
+// Checks a law of friction without a context: whether the same input has the same answer, for each facet alone and among other facets. It
+// also compares the derivatives with differences of the limit, to 1e-6. Corners of a law are recognised.
 //
-// It is asked at 60 pressures up to `pressure`, and slips of a step up to `slip`, a length, along every axis; differences have steps of 1e-6 of
-// these. The history is 0, and then what other facets leave. `time_step` 0: none is said. There are no fields.
+// It calls the law at 60 pressures up to `pressure`, and slips of a step up to `slip`, a length, along every axis; differences have steps
+// of 1e-6 of these. The history is 0, and then the result of other facets. `time_step` 0: not set. There are no fields.
 //
-// `tell` may be NULL; else it gets a sentence for everything that was looked at, with level `FMC_LOG_WARNING` for what is wrong, else 0.
+// `tell` may be NULL; else it receives a sentence for each check, with level `FMC_LOG_WARNING` for a fault, else 0.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_STRUCT_SIZE`, `FMC_ERROR_RESERVED_FIELD`, `FMC_ERROR_BAD_VALUE` for a `history_count` above
-// 1048576, `FMC_ERROR_DIMENSION`, `FMC_ERROR_NOT_POSITIVE`; `FMC_ERROR_INTERFACE_LAW` for a law that fails, answers what is no limit, or is
-// wrong, with all that is wrong in the text. Threads: any.
+// 1048576, `FMC_ERROR_DIMENSION`, `FMC_ERROR_NOT_POSITIVE`. `FMC_ERROR_INTERFACE_LAW` for a law that fails, returns an invalid limit, or
+// is wrong; the text lists all faults. Threads: any.
 fmc_status fmc_friction_law_check(const fmc_friction_law *law,
                                   size_t dim,
                                   double pressure,
@@ -1415,13 +1424,13 @@ fmc_status fmc_friction_law_check(const fmc_friction_law *law,
                                   fmc_log_callback tell,
                                   void *user);
 
-// Sets the options of a pair as `fmc_context_set_pair_options` does, two bodies, a body and an obstacle, or a body with itself, and the law by
-// which it slides in place of a coefficient, a cohesion and a shear limit. What the law keeps begins with zeros.
+// Sets the options of a pair (two bodies, a body and an obstacle, or a body with itself) as `fmc_context_set_pair_options` does, and its
+// law of sliding, which replaces coefficient, cohesion and shear limit. The history of the law begins with zeros.
 // `fmc_context_set_pair_options` takes the law back. As with any friction the tangent is unsymmetric, and a step must have begun.
 //
-// Errors: those of `fmc_context_set_pair_options`; those of a law as `fmc_friction_law_check` has them before it asks; `FMC_ERROR_UNSUPPORTED`
-// beside a coefficient of friction or a wear coefficient of the pair, another interface than contact, and for a mesh in parts. What was set before then
-// stays. Threads: one call at a time on a context.
+// Errors: as `fmc_context_set_pair_options`; the errors of `fmc_friction_law_check` for an invalid struct; `FMC_ERROR_UNSUPPORTED` with a
+// coefficient of friction or a wear coefficient of the pair, with another interface than contact, and for a mesh in parts. The earlier
+// options are then kept. Threads: one call at a time on a context.
 fmc_status fmc_context_set_friction_law_pair(fmc_context *context,
                                              int32_t a_kind,
                                              size_t a,
@@ -1432,8 +1441,8 @@ fmc_status fmc_context_set_friction_law_pair(fmc_context *context,
 
 // ---- Evaluate: forces and what belongs to them -----------------------------------------------------------
 
-// Flag of `fmc_context_evaluate` and `fmc_context_evaluate_tangent`: add the forces to what the host's array holds
-// instead of overwriting it.
+// Flag of `fmc_context_evaluate` and `fmc_context_evaluate_tangent`: add the forces to the host's array instead of
+// overwriting it.
 #define FMC_EVALUATE_ADD 1
 
 // Kind of a partner.
@@ -1452,44 +1461,44 @@ typedef enum {
   FMC_WARNING_UNRESOLVED_OVERLAP = 2,
   // One body lies inside the other and is not pushed out.
   FMC_WARNING_SWALLOWED_BODY = 3,
-  // The law "fiber" does not count a patch of the contact beside one that is much shallower or larger; the text gives
-  // its area, penetration and normal. Two bodies in place of one that has both walls, or the law "volume", count it.
+  // The law "fiber" neglects a patch of the contact next to a much shallower or larger one; the text gives its area,
+  // penetration and normal. Two bodies in place of one that has both walls, or the law "volume", count it.
   FMC_WARNING_PATCH_LEFT_OUT = 4,
-  // Forces or moments of a pair do not add up to zero by more than rounding, with the estimator "exact"; or, with the law "depth", by
-  // more than a tenth, since faces in contact were named as faces in planes of symmetry. The text gives the imbalance. Forces may be
-  // wrong by as much.
+  // With the estimator "exact", forces or moments of a pair add up to zero with an error above rounding. Or, with the law "depth",
+  // the error exceeds a tenth, since faces in contact were named as faces in planes of symmetry. The text gives the imbalance. Forces
+  // may be wrong by as much.
   FMC_WARNING_UNBALANCED = 5,
-  // With the law "depth", faces of two bodies lie in one plane, look the same way and reach into the overlap, as planes of
-  // symmetry do, and the host has not called `fmc_context_set_symmetry_nodes`, with no nodes if there are none. The text
-  // gives the area. Beside a plane of symmetry that is taken for surface the nodal forces are too low, by about the ratio of
-  // penetration and cell size.
+  // With the law "depth", faces of two bodies lie in one plane, face the same way and reach into the overlap, as planes of
+  // symmetry do. The host has not called `fmc_context_set_symmetry_nodes` (without nodes if there is no symmetry). The text
+  // gives the area. Next to a plane of symmetry that is treated as surface the nodal forces are too low, by about the ratio
+  // of penetration and cell size.
   FMC_WARNING_FLUSH_FACES = 6,
-  // Faces of one body lie on one another and look at each other, without deformation: nodes were not merged there, a flat cell
-  // was left out, or a crack is meant. The text gives the area and nodes, counted from `index_base`. The law "depth" takes such
-  // faces for surface, and a contact near them bears too little.
+  // Faces of one body coincide and face each other, without deformation: nodes were not merged there, a flat cell was left out,
+  // or there is a crack. The text gives the area and nodes, counted from `index_base`. The law "depth" treats such faces as
+  // surface, and the pressure near them is too low.
   FMC_WARNING_COINCIDING_FACES = 7,
   // With the law "depth", a signed distance grows more slowly at its surface than a distance; the text gives the slopes.
   // Penetrations, and with them pressures, are too small by that factor.
   FMC_WARNING_GENTLE_DISTANCE = 8,
-  // With the law "depth", the facets in contact lie farther beside the round surfaces that they stand for than the sides penetrate;
-  // the text gives both sizes. Where such surfaces conform, as a pin in its hole, pressures may be wrong by factors:
+  // With the law "depth", the distance from facets in contact to the round surfaces that they represent exceeds the penetration; the
+  // text gives both sizes. Where such surfaces conform, as a pin in its hole, pressures may be wrong by factors:
   // `fmc_context_set_surface_smoothing` measures round faces, of bodies whose facets meet at less than its angle, or take a finer mesh.
   FMC_WARNING_CURVED_FACES = 9,
   // With the law "depth", cells are so coarse that curved faces in contact, of second order or smoothed, may be wrong by more than
-  // two fifths of the penetration, and pressures at single points by as much; the text gives both sizes. Take a finer mesh. The
-  // error falls with the fourth power of the cell size.
+  // two fifths of the penetration. Pressures at single points may be wrong by as much. The text gives both sizes. Take a finer
+  // mesh. The error falls with the fourth power of the cell size.
   FMC_WARNING_COARSE_FACES = 10,
   // `fmc_context_set_surface_smoothing` has no effect on a pair of bodies, since its law is not "depth": it is measured by straight
   // facets.
   FMC_WARNING_UNUSED_SMOOTHING = 11,
-  // Faces of bodies that are tied lie in part farther apart than the reach, as those of coarse round bodies, and are tied in part only;
-  // the text gives areas and distances. A larger `reach` of the pair ties them.
+  // Some faces of tied bodies are farther apart than the reach, for example on coarse round bodies, and only part of them is tied; the
+  // text gives areas and distances. A larger `reach` of the pair ties them.
   FMC_WARNING_TIED_IN_PART = 12,
-  // Facets in contact are perpendicular to the direction along which the friction of the pair has a coefficient of its own; the text
-  // gives one of them, counted from `index_base`, and their part of the friction. The transverse coefficient holds there for all slip.
+  // Facets in contact are perpendicular to the direction of friction of the pair; the text gives one of them, counted from
+  // `index_base`, and their part of the friction. The transverse coefficient holds there for all slip.
   FMC_WARNING_NO_FRICTION_DIRECTION = 13,
-  // A step, with all of its cycles, would wear off more than the sides of a pair penetrate; the text gives the ratio. Pressures may go up
-  // and down from step to step: take smaller steps, or fewer cycles (`fmc_context_set_wear_cycles`).
+  // A step, with all of its cycles, would wear off more than the sides of a pair penetrate; the text gives the ratio. Pressures may
+  // oscillate from step to step: take smaller steps, or fewer cycles (`fmc_context_set_wear_cycles`).
   FMC_WARNING_LARGE_WEAR = 14,
 } fmc_warning;
 
@@ -1500,7 +1509,7 @@ typedef enum {
 typedef struct {
   // Size of this struct, as the library wrote it.
   size_t struct_size;
-  // Volume (2D: area) of what is inside both sides, summed over the pairs.
+  // Volume (2D: area) of the overlap of both sides, summed over the pairs.
   double volume;
   // Standard error of the volume; 0 for `exact`.
   double volume_standard_error;
@@ -1532,7 +1541,7 @@ typedef struct {
   double stick_area;
   // Area (2D: length) that slides.
   double slip_area;
-  // Largest slip since the step began that was not elastic.
+  // Largest slip since the step began, without its elastic part.
   double largest_slip;
   // Zero.
   uint64_t reserved[3];
@@ -1570,25 +1579,24 @@ typedef struct {
   size_t a;
   // Second side; the same as the first for a body that overlaps itself.
   size_t b;
-  // Volume (2D: area) of what is inside both sides, each place once, with every law and estimator.
+  // Volume (2D: area) of the overlap of both sides, each place once, with every law and estimator.
   double volume;
   // Standard error of the volume; 0 for `exact`.
   double volume_standard_error;
   // Energy.
   double energy;
-  // Mean of the contact pressure over the contact: with the law "volume" dw/dV, which is one for the whole pair;
-  // with "fiber" psi'(L), the mean over its lines; with "depth" k times the depth of either surface below the
-  // other, the mean over both.
+  // Mean of the contact pressure over the contact: with the law "volume" dw/dV, one value for the whole pair; with
+  // "fiber" psi'(L), the mean over its lines; with "depth" k times the depth of either surface below the other, the
+  // mean over both.
   double pressure;
-  // Area of contact (2D: length): half of the boundary of what is inside both sides, the strips of sunken side
-  // walls with it. The law "fiber" does not see strips along its lines; with "depth" and an obstacle it is the
-  // surface of the body that is inside. Facets that do not match gape between their nodes in hard contact; what
-  // gapes is not counted.
+  // Area of contact (2D: length): half of the boundary of the overlap, including the strips of penetrating side
+  // walls. The law "fiber" does not see strips along its lines; with "depth" and an obstacle it is the surface of
+  // the body that is inside. Non-matching facets separate between their nodes in hard contact; the separated part is
+  // not counted.
   double contact_area;
-  // How deep the sides reach into one another: with the law "fiber" the longest of its lines, with "depth" the
-  // largest depth of either surface below the other, with "volume", which knows no depth of a place, the extent
-  // of the overlap along its mean normal. The same where faces overlap flat. With "fiber" and "depth" k times it
-  // is the largest pressure.
+  // Penetration. With the law "fiber" it is the longest of its lines, with "depth" the largest depth of either
+  // surface below the other. With "volume", which has no local depth, it is the extent of the overlap along its mean
+  // normal. For flat faces all three agree. With "fiber" and "depth" k times it is the largest pressure.
   double penetration;
   // Spacing of the fibers; 0 for `exact`. Passed as the option `spacing`, it gives the same pattern again.
   double spacing;
@@ -1614,7 +1622,7 @@ typedef struct {
 // Nodes that are not in contact get 0. `result`, which may be NULL too, receives the overlap volume and the other
 // totals; forces per body, pairs and warnings are kept in the context until the next evaluation that succeeds.
 //
-// Both are written only on success. The arrays may overlap one another. Units are those of `fmc_result`.
+// Both are written only on success. The arrays may overlap one another. Units as in `fmc_result`.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_LENGTH`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_STRIDE`,
 // `FMC_ERROR_NON_FINITE_COORDINATE`, `FMC_ERROR_INVERTED_CELL`, `FMC_ERROR_ZERO_MEASURE`, `FMC_ERROR_UNSUPPORTED`,
@@ -1652,36 +1660,37 @@ fmc_status fmc_context_warning(const fmc_context *context, size_t index, int32_t
 // far from a solution.
 #define FMC_TANGENT_SEMIDEFINITE 2
 
-// Flag of the same: without what makes it unsymmetric, that a frictional force grows with the pressure.
+// Flag of both: without the unsymmetric part, the growth of frictional forces with the pressure.
 #define FMC_TANGENT_SYMMETRIC 32
 
 // Flag of `fmc_context_tangent_csr`: entries are blocks of dim x dim (BSR), rows and columns nodes.
 #define FMC_CSR_BLOCKS 4
 
-// Flag of `fmc_context_tangent_csr`: with rows and columns of the obstacles' translations, after those of the nodes.
+// Flag of `fmc_context_tangent_csr`: with rows and columns of the obstacles' translations, after the rows of the
+// nodes.
 #define FMC_CSR_OBSTACLES 8
 
 // Second derivative of the contact energy at `coords`, which is minus the derivative of the nodal forces, to be added
 // to the host's stiffness matrix. It is kept in the context until the next call, for `fmc_context_tangent_csr` and
 // `fmc_context_tangent_entries`.
 //
-// Symmetric without friction. With it the tangent is UNSYMMETRIC, unless the friction is frozen: take LU or GMRES in
-// place of Cholesky or conjugate gradients, or ask for `FMC_TANGENT_SYMMETRIC`, with which Newton's method takes more
-// iterations, and fails sooner at large coefficients of friction. Rows and columns are degrees of freedom: axis a of the n-th node is
-// the one number n * dim + a, n and a from 0, counted from the option `index_base`. The translation of obstacle o
-// stands after the nodes, as node `node_count + o`: a host that loads an obstacle finds its stiffness there, others ignore rows
-// and columns beyond those of the nodes. `rank_one_count`, which may be NULL, receives the number of terms of rank one, which couple
-// all nodes of a pair: 0 for the laws "depth" and "fiber".
+// The tangent is symmetric without friction. With friction it is UNSYMMETRIC, unless the friction is frozen: take LU or GMRES in
+// place of Cholesky or conjugate gradients. Or ask for `FMC_TANGENT_SYMMETRIC`, with which Newton's method takes more iterations, and
+// fails sooner at large coefficients of friction. Rows and columns are degrees of freedom: axis a of the n-th node is the one number
+// n * dim + a, n and a from 0, counted from the option `index_base`. The translation of obstacle o follows the nodes, as node
+// `node_count + o`. A host that loads an obstacle finds its stiffness there; other hosts ignore these rows and columns.
+// `rank_one_count`, which may be NULL, receives the number of terms of rank one, which couple all nodes of a pair: 0 for the laws
+// "depth" and "fiber".
 //
 // With the law "depth" it is the derivative of the forces of `fmc_context_evaluate`; with "fiber" it is with kept patches
 // and `momentum_correction` 0; the momentum correction, which is small, is not differentiated. `flags`: 0,
 // `FMC_TANGENT_SYMMETRIC` or `FMC_TANGENT_SEMIDEFINITE`, which is symmetric too.
 //
-// Newton's method, without a line search, with the law "depth" and k = 10 E / h (modulus E, facets of size h): let what
-// a load step prescribes move with the first solve, which has the tangent of the last equilibrium. Where the pressure
-// k * penetration of an iterate exceeds E / 10, and twice that of the last equilibrium, lower the option `stiffness` so that
-// it does not, raise it at least fourfold in every iteration, and take `FMC_TANGENT_SEMIDEFINITE` until it is k again; else take the
-// full tangent. docs/newton.md has the loop, and the iterations it takes on five problems.
+// Newton's method, without a line search, with the law "depth" and k = 10 E / h (modulus E, facets of size h): apply prescribed
+// displacements in the first solve, with the tangent of the last equilibrium. If the pressure k * penetration of an iterate exceeds
+// both E / 10 and twice the pressure of the last equilibrium, lower the option `stiffness` until it does not. Then raise it at least
+// fourfold in every iteration, and take `FMC_TANGENT_SEMIDEFINITE` until it is k again. Else take the full tangent. docs/newton.md
+// has the loop, and its iterations on five problems.
 //
 // Errors: as `fmc_context_evaluate`; `FMC_ERROR_UNSUPPORTED` for a law or an estimator without tangent. Threads: one
 // call at a time on a context.
@@ -1690,10 +1699,10 @@ fmc_status fmc_context_tangent(fmc_context *context,
                                uint32_t flags,
                                size_t *rank_one_count);
 
-// The entries of the tangent, each with another row or column: entry i is `values[i]` at row `rows[i]` and column `cols[i]`, ordered
-// by row and column of their nodes.
+// The entries of the tangent, one for each pair of row and column: entry i is `values[i]` at row `rows[i]` and column `cols[i]`,
+// ordered by row and column of their nodes.
 //
-// `count` becomes their number; the arrays have room for `capacity`. All three NULL with capacity 0: the number alone is asked for.
+// `count` becomes their number; the arrays have room for `capacity`. All three NULL with capacity 0: only the number is returned.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_LENGTH` where there are more degrees of
 // freedom than the context's numbers have room for, `FMC_ERROR_BUSY`; nothing is written then. Threads: several at once on one
@@ -1723,17 +1732,17 @@ fmc_status fmc_context_tangent_rank_one(const fmc_context *context,
                                         double *vector,
                                         size_t length);
 
-// The last tangent in compressed rows (CSR), without its terms of rank one, which `fmc_context_tangent_rank_one` gives:
-// the entries of row r are those from `row_offsets[r]` to `row_offsets[r + 1]`, in ascending order of their columns
-// `cols`, each column once. Rows and columns are degrees of freedom as in `fmc_context_tangent`; rows without entries are there too.
-// Offsets and columns count from the option `index_base`. Before the first tangent there are no rows.
+// The last tangent in compressed rows (CSR), without its terms of rank one (`fmc_context_tangent_rank_one`). Row r has the entries
+// from `row_offsets[r]` to `row_offsets[r + 1]`, in ascending order of their columns `cols`, each column once. Rows and columns are
+// degrees of freedom as in `fmc_context_tangent`; rows without entries are there too. Offsets and columns count from the option
+// `index_base`. Before the first tangent there are no rows.
 //
 // `flags`: `FMC_CSR_BLOCKS`, for entries that are blocks, `values[(entry * dim + i) * dim + j]`, and rows and columns that
 // are nodes; `FMC_CSR_OBSTACLES`.
 //
-// `offset_count` becomes the number of offsets, one more than there are rows, and `count` that of entries, which are numbers, or
+// `offset_count` becomes the number of offsets, one more than there are rows, and `count` the number of entries, which are numbers, or
 // blocks. `row_offsets` has room for `offset_capacity`, `cols` for `capacity`, and `values` for as many, or, with `FMC_CSR_BLOCKS`, for
-// `capacity * dim * dim` numbers. An array that is NULL with capacity 0 is not written: its number alone is asked for.
+// `capacity * dim * dim` numbers. An array that is NULL with capacity 0 is not written: only its number is returned.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_UNKNOWN_FLAG`, `FMC_ERROR_BUFFER_TOO_SMALL`,
 // `FMC_ERROR_LENGTH` where a number does not fit into the context's numbers, `FMC_ERROR_BUSY`; nothing is written then. Threads:
@@ -1748,9 +1757,9 @@ fmc_status fmc_context_tangent_csr(const fmc_context *context,
                                    size_t capacity,
                                    size_t *count);
 
-// Keeps the pattern of `fmc_context_tangent_csr`, with `keep` 1: from the last tangent on it only grows, places that
-// have no entry any more hold zeros, and as long as it has the same numbers of rows and entries, the pattern
-// is the same too. So a host's matrix and its symbolic factorisation can stay during a load step. 0 releases it: every
+// Keeps the pattern of `fmc_context_tangent_csr`, with `keep` 1: from the last tangent on it only grows, and places
+// that no longer have an entry hold zeros. While the numbers of rows and entries stay the same, the pattern is the
+// same too. So a host's matrix and its symbolic factorisation can stay during a load step. 0 releases it: every
 // tangent has its own pattern, which is the default. Values, and the other functions of the tangent, do not change.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BAD_VALUE` for another number, `FMC_ERROR_BUSY`. Threads: one call
@@ -1758,11 +1767,11 @@ fmc_status fmc_context_tangent_csr(const fmc_context *context,
 fmc_status fmc_context_keep_pattern(fmc_context *context, int32_t keep);
 
 // `fmc_context_evaluate` and `fmc_context_tangent` at the same coordinates, in little more than the time of the second:
-// bodies are measured once. Everything is the same to the bit as after those two calls, and kept as after them.
+// bodies are measured once. All results are bit-for-bit identical to the two calls, and are kept in the same way.
 //
 // `flags`: `FMC_EVALUATE_ADD`, `FMC_TANGENT_SEMIDEFINITE` and `FMC_TANGENT_SYMMETRIC`. All outputs may be NULL, and are written only on success.
 //
-// Errors: those of the two. Threads: one call at a time on a context.
+// Errors: as both calls. Threads: one call at a time on a context.
 fmc_status fmc_context_evaluate_tangent(fmc_context *context,
                                         const fmc_coords *coords,
                                         uint32_t flags,
@@ -1771,15 +1780,15 @@ fmc_status fmc_context_evaluate_tangent(fmc_context *context,
                                         size_t *rank_one_count);
 
 // Gives tangents rows and columns for the rotations of the obstacles, with `on` 1, from the next one on; 0, the default:
-// none. With n nodes and m obstacles, removed ones included, the rotation of obstacle o is node n + m + o: a rotation
-// vector about the position of its pose, which moves along; in 2D its first entry is the angle, and the second has only
-// zeros. Wherever there are translations of obstacles, as with `FMC_CSR_OBSTACLES`, there are rotations then, after them.
+// none. With n nodes and m obstacles, removed ones included, the rotation of obstacle o is node n + m + o. It is a
+// rotation vector about the position of its pose, which moves along. In 2D its first entry is the angle, and the second
+// has only zeros. Rotations follow wherever there are translations of obstacles, as with `FMC_CSR_OBSTACLES`.
 //
-// It is the second derivative of the energy, and symmetric. The moment M about the position (that of
-// `fmc_context_obstacle_resultant` less position x force) changes by -K dtheta + 1/2 dtheta x M as the obstacle turns by dtheta. With
-// axisymmetry nothing turns, and there are only zeros. Friction adds what its own tangent has, unsymmetric without
-// `FMC_TANGENT_SYMMETRIC`. Where a
-// body meets an obstacle by the law "fiber", whose lines do not turn along, the tangent is refused, with `FMC_ERROR_UNSUPPORTED`.
+// It is the second derivative of the energy, and symmetric. The moment M about the position (moment of
+// `fmc_context_obstacle_resultant` minus position x force) changes by -K dtheta + 1/2 dtheta x M as the obstacle turns by dtheta.
+// With axisymmetry obstacles do not rotate, and there are only zeros. Friction adds the terms of its tangent, unsymmetric without
+// `FMC_TANGENT_SYMMETRIC`. Where a body meets an obstacle by the law "fiber", whose lines do not turn along, the tangent is refused,
+// with `FMC_ERROR_UNSUPPORTED`.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BAD_VALUE` for another number, `FMC_ERROR_BUSY`. Threads: one call
 // at a time on a context.
@@ -1794,10 +1803,10 @@ fmc_status fmc_context_set_obstacle_rotations(fmc_context *context,
 typedef struct {
   // Size of this struct, as the library wrote it.
   size_t struct_size;
-  // Part of the step, at most 1, that no body passes another by: a factor for a step of Newton's method.
+  // Part of the step, at most 1, in which no body passes through another: a factor for a step of Newton's method.
   double part;
-  // Part of it at which the first gap closes, as far as gaps change with the slopes of now: what a host linearises holds up to
-  // there. Infinite where none does.
+  // Part of it at which the first gap closes, from the current slopes of the gaps: a linearisation holds up to there. Infinite
+  // if no gap closes.
   double first_touch;
   // Zero.
   uint64_t reserved[4];
@@ -1805,10 +1814,10 @@ typedef struct {
 
 // Begins a step with friction at `coords`, with the obstacles where they are: slip is counted from here. With friction
 // this comes before the first evaluation, and `fmc_context_commit_step` after every step that is accepted, which begins
-// the next. A step may be tried as often as the host likes: nothing has to be undone.
+// the next. A step may be repeated any number of times: nothing has to be undone.
 //
-// Elastic slip that was carried so far stays; there is none at first. Where friction is on, what touches here is measured:
-// a facet that touches later counts its slip from then on.
+// Accumulated elastic slip is kept; there is none at first. With friction, the contact at `coords` is measured. A facet
+// that touches later counts its slip from its first touch.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_LENGTH`, `FMC_ERROR_STRIDE`, `FMC_ERROR_NON_FINITE_COORDINATE`,
 // `FMC_ERROR_BUSY`; with friction as `fmc_context_evaluate`. Nothing has changed then. Threads: one call at a time on a context.
@@ -1825,55 +1834,53 @@ fmc_status fmc_context_commit_step(fmc_context *context,
 
 // Freezes the facets on which friction acts and their pressure as they are at `coords`, until the step is committed or this is
 // called with `coords` NULL: forces of friction are then minus the gradient of a convex potential, and their tangent is
-// symmetric and positive semidefinite. Repeated at what was found until nothing changes, this leads to the solution with
-// the current pressure, and goes on where Newton's method on that fails, at large coefficients of friction.
+// symmetric and positive semidefinite. Repeat this at the new solution until nothing changes: it converges to the solution
+// with the current pressure. It also converges at large coefficients of friction, at which Newton's method with the current
+// pressure fails.
 //
-// Errors: `FMC_ERROR_NO_STEP`; else as `fmc_context_evaluate`. What was frozen before then stays. Threads: one call at a
-// time on a context.
+// Errors: `FMC_ERROR_NO_STEP`; else as `fmc_context_evaluate`. Earlier frozen friction is then kept. Threads: one call
+// at a time on a context.
 fmc_status fmc_context_freeze_friction(fmc_context *context,
                                        const fmc_coords *coords);
 
 // Finds the patches of the law "fiber" at `coords` and keeps the direction and the spacing of their lines for all
-// later evaluations: a solver's forces are then the gradient of one energy. `coords` NULL releases them, and patches
-// are found at every evaluation again, which is the default.
+// later evaluations: a solver's forces are then the gradient of one energy. `coords` NULL releases them: every
+// evaluation then finds its patches, which is the default.
 //
 // Call it at the start of a load step. Patches of pairs that do not overlap at `coords` are not kept, but found at
 // every evaluation. `direction_count`, which may be NULL, receives the number of directions kept: 0 with other laws.
 //
-// Errors: as `fmc_context_evaluate`; what was kept then stays. Threads: one call at a time on a context.
+// Errors: as `fmc_context_evaluate`; earlier patches are then kept. Threads: one call at a time on a context.
 fmc_status fmc_context_keep_patches(fmc_context *context, const fmc_coords *coords, size_t *direction_count);
 
-// Largest time step of central differences (leapfrog) for the contact alone, from the tangent at `coords`: 2/sqrt(q), q
-// being a bound of the largest eigenvalue of M^-1 K, terms of rank one included, a few per cent above it. Infinite where
-// nothing touches. `masses` are lumped masses, one for every node of the mesh, positive where a node feels contact, and
-// infinite for nodes that the host holds. Obstacles are held.
+// Largest time step of central differences (leapfrog) for the contact alone, from the tangent at `coords`: 2/sqrt(q).
+// Here q is an upper bound of the largest eigenvalue of M^-1 K, including terms of rank one, a few per cent above it.
+// Infinite where nothing touches. `masses` are lumped masses, one for every node of the mesh, positive where a node
+// feels contact, and infinite for nodes that the host holds. Obstacles are held.
 //
-// A host whose own limit is h is stable with the step s, 1/s^2 = 1/h^2 + 1/step^2. The limit is that of the motion
-// linearised at `coords`: contact that begins within a step is not in it, nor is the force of the law "volume" with an
-// exponent below 2, which jumps. The tangent and the results that are kept stay. Unit: that of
-// sqrt(mass * length / force).
+// A host whose limit without contact is h is stable with the step s, 1/s^2 = 1/h^2 + 1/step^2. The limit holds for the
+// motion linearised at `coords`. It includes neither contact that begins within a step, nor the force of the law
+// "volume" with an exponent below 2, which jumps. The stored tangent and results are kept. Unit: sqrt(mass * length /
+// force).
 //
 // Errors: as `fmc_context_tangent`, and `FMC_ERROR_NOT_POSITIVE_MASS`. Threads: one call at a time on a context.
-fmc_status fmc_context_stable_step(fmc_context *context,
-                                   const fmc_coords *coords,
-                                   const double *masses,
-                                   double *step);
+fmc_status fmc_context_stable_step(fmc_context *context, const fmc_coords *coords, const double *masses, double *step);
 
-// Finds the stiffness of every pair without a law of its own from the nodes' masses and the largest time step, `limit`, that the bodies
-// allow by themselves in central differences: with contact of whole faces the step becomes a tenth shorter. For hosts without a matrix,
-// with the option `stiffness` 0. `masses` as for `fmc_context_stable_step`.
+// Finds the stiffness of every pair without a separate law from the nodes' masses and `limit`, the largest time step of the bodies
+// without contact in central differences. Contact of whole faces then makes the step a tenth shorter. For hosts without a matrix, with
+// the option `stiffness` 0. `masses` as for `fmc_context_stable_step`.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_LENGTH`, `FMC_ERROR_NOT_POSITIVE` for the limit, `FMC_ERROR_NOT_POSITIVE_MASS`,
-// `FMC_ERROR_UNSUPPORTED` where the host holds every surface, `FMC_ERROR_BUSY`; what was found before then stays. Threads: one call at a
-// time on a context.
+// `FMC_ERROR_UNSUPPORTED` where the host holds every surface, `FMC_ERROR_BUSY`; the earlier stiffness is then kept. Threads: one call at
+// a time on a context.
 fmc_status fmc_context_stiffness_from_masses(fmc_context *context,
                                              const fmc_coords *coords,
                                              const double *masses,
                                              double limit);
 
-// How far the nodes at `coords` may go along `step`, a motion of every node in the same form, so that nothing passes through anything:
-// surfaces come to overlap by half a facet at most, beyond what they do, and no body moves by more than half its thickness against the
-// others. For hosts with an iteration of their own.
+// How far the nodes at `coords` may move along `step`, a motion of every node in the same layout, so that no body passes through
+// another. The overlap of surfaces grows by at most half a facet, and no body moves by more than half its thickness relative to
+// another. For hosts that iterate themselves.
 //
 // Errors: as `fmc_context_gap_constraints`. Threads: one call at a time on a context.
 fmc_status fmc_context_step_limit(fmc_context *context,
@@ -1883,7 +1890,7 @@ fmc_status fmc_context_step_limit(fmc_context *context,
 
 // ---- Gaps and overlaps at the start ----------------------------------------------------------------------
 
-// What was closed and removed by `fmc_context_adjust`.
+// Gaps closed and overlaps removed by `fmc_context_adjust`.
 //
 // New fields take the place of reserved ones; the size of the struct does not change.
 typedef struct {
@@ -1893,7 +1900,7 @@ typedef struct {
   double closed;
   // Largest mean overlap of a surface point that was removed, a length.
   double removed;
-  // Largest mean gap or overlap that these points have now: what a mean at points leaves between meshes that do not match.
+  // Largest remaining mean gap or overlap of these points, which non-matching meshes cause.
   double left;
   // Number of points that were moved.
   size_t count;
@@ -1901,14 +1908,14 @@ typedef struct {
   uint64_t reserved[4];
 } fmc_adjustment;
 
-// Closes gaps and removes overlaps at `coords` without strain: where the mean gap of a surface point to a partner
-// (`fmc_context_gap_constraints`) is no more than `close`, or its overlap no more than `remove`, both lengths, the surface is taken to lie
-// beside its nodes from then on, of two bodies each half of the way. Nodes and their strains stay. Any law, friction and self-contact go
-// with it. What is asked of the context afterwards, gaps too, is that of surfaces that lie there. Points that were moved by an earlier
-// call are moved on.
+// Closes gaps and removes overlaps at `coords` without strain. It applies where the mean gap of a surface point to a partner
+// (`fmc_context_gap_constraints`) is at most `close`, or its overlap at most `remove`, both lengths. There the surface is offset from its
+// nodes from then on, with two bodies each by half of the distance. Nodes and their strains stay. It works with any law, friction and
+// self-contact. All later results of the context, including gaps, refer to the offset surfaces. A later call adds to the offsets of an
+// earlier one.
 //
-// An interference fit is brought on by parts: adjust, then before each load step give back a smaller part of `fmc_context_offsets` by
-// `fmc_context_set_offsets`, at last none. Offsets do not turn with bodies.
+// Apply an interference fit in steps: adjust, then before each load step set a smaller part of `fmc_context_offsets` by
+// `fmc_context_set_offsets`, and none in the last. Offsets do not turn with bodies.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NOT_POSITIVE` for a length that is negative or no number, `FMC_ERROR_UNSUPPORTED` for a mesh
 // in parts, `FMC_ERROR_BUSY`; else as `fmc_context_gap_constraints`. Nothing has changed then. Threads: one call at a time on a context.
@@ -1918,10 +1925,10 @@ fmc_status fmc_context_adjust(fmc_context *context,
                               double remove,
                               fmc_adjustment *adjustment);
 
-// How far the surface lies beside its nodes: `dim` numbers in dense rows for every node, with cells of second order for every point
+// Offset of the surface from its nodes: `dim` numbers in dense rows for every node, with cells of second order for every point
 // (`fmc_context_point_weights`), a length.
 //
-// `count` becomes how many numbers there are; `offsets` has room for `capacity`. NULL with capacity 0: that alone is asked for.
+// `count` becomes their number; `offsets` has room for `capacity`. NULL with capacity 0: only the number is returned.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_BUSY`; nothing is written then. Threads: several at once on one
 // context, as long as no call changes it.
@@ -1930,27 +1937,29 @@ fmc_status fmc_context_offsets(const fmc_context *context,
                                size_t capacity,
                                size_t *count);
 
-// Has the surface lie so far beside its nodes: `count` numbers, as `fmc_context_offsets` writes them; none: nowhere. No body slides by that.
+// Sets the offset of the surface from its nodes: `count` numbers, as `fmc_context_offsets` writes them; none: no offset. This causes no
+// slip.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_LENGTH`, `FMC_ERROR_NON_FINITE_STIFFNESS` for a number that is not finite,
-// `FMC_ERROR_UNSUPPORTED` for a mesh in parts, `FMC_ERROR_BUSY`; the old offsets then stay. Threads: one call at a time on a context.
+// `FMC_ERROR_UNSUPPORTED` for a mesh in parts, `FMC_ERROR_BUSY`; the old offsets are then kept. Threads: one call at a time on a
+// context.
 fmc_status fmc_context_set_offsets(fmc_context *context,
                                    const double *offsets,
                                    size_t count);
 
 // ---- As little penetration as is wanted ------------------------------------------------------------------
 
-// What `fmc_context_augment` says of the coordinates that it was called with.
+// Results of `fmc_context_augment`, at the coordinates of its call.
 typedef struct {
   // Size of this struct, as the library wrote it.
   size_t struct_size;
   // Largest mean penetration of a node over its part of the surface, of the side of each pair that has the multipliers.
   double penetration;
-  // Largest change of a multiplier, by the law's stiffness: how far a node that is pressed is from the partner, inside or outside.
+  // Largest change of a multiplier / stiffness of the law: distance of a pressed node from the partner, inside or outside.
   double change;
   // Number of multipliers, for `fmc_context_multipliers`.
   size_t multiplier_count;
-  // Whether both are no more than the tolerance: the multipliers have then stayed.
+  // Whether both are within the tolerance: the multipliers are then unchanged.
   int32_t is_converged;
   // Zero.
   int32_t reserved_flags;
@@ -1958,7 +1967,7 @@ typedef struct {
   uint64_t reserved[4];
 } fmc_augmentation;
 
-// How far a surface is moved out at a node, against one partner.
+// Multiplier of a node: by how far its surface is shifted towards one partner.
 typedef struct {
   // Size of this struct, as the library wrote it.
   size_t struct_size;
@@ -1967,13 +1976,13 @@ typedef struct {
   int64_t node;
   // Its body, an index for `fmc_context_body_resultant`.
   size_t body;
-  // What the partner is: a value of `fmc_partner`.
+  // Kind of the partner: a value of `fmc_partner`.
   int32_t partner_kind;
   // Zero.
   int32_t reserved_flags;
   // Index of the partner for `fmc_context_body_resultant` or `fmc_context_obstacle_resultant`.
   size_t partner;
-  // How far, a positive length; by the law's stiffness the pressure without penetration.
+  // Shift, a positive length; times the law's stiffness it is the pressure without penetration.
   double shift;
   // Unit vector towards the partner; in 2D the last is 0.
   double towards[3];
@@ -1981,32 +1990,32 @@ typedef struct {
   uint64_t reserved[4];
 } fmc_multiplier;
 
-// Moves surfaces out so that at the next equilibrium they press with less penetration: at every node by its mean gap
-// (`fmc_context_gap_constraints`) at `coords`, up to four times as far where the last update of a series has closed less than it
-// moved out, and back where it has opened. It is the method of multipliers: by the law's stiffness a shift is a pressure without
-// penetration.
+// Updates the multipliers, which shift surfaces outwards so that they press with less penetration at the next equilibrium. A
+// node shifts by its mean gap (`fmc_context_gap_constraints`) at `coords`. It shifts up to four times as far where the last
+// update of a series has closed less than its shift, and back where the contact has opened. This is the method of multipliers:
+// shift times the law's stiffness is a pressure without penetration.
 //
-// Call it where the bodies are in equilibrium, or nearly, solve again, and so on until `is_converged`. The law's stiffness may be any,
-// but a low one takes more updates. All that is asked of the context afterwards, forces, tangents, steps, is that of the surfaces
-// moved out, whose penetration is pressure by stiffness; weighted gaps are those of the true ones. What is moved out stays for the
-// next load step; `fmc_context_set_multipliers` with none moves it back. Of two bodies the one with more nodes near the other has the
-// multipliers, of equals the first.
+// Call it where the bodies are in equilibrium, or nearly, solve again, and repeat until `is_converged`. Any stiffness of the law
+// works, but a low one takes more updates. All later results of the context (forces, tangents, steps) refer to the shifted surfaces,
+// whose penetration is pressure / stiffness; weighted gaps refer to the true surfaces. Multipliers stay for the next load step;
+// `fmc_context_set_multipliers` without multipliers removes them. Of two bodies the one with more nodes near the other has the
+// multipliers; with equal numbers the first.
 //
-// `reach`: how far from a partner gaps are measured, a length; 0: a twentieth of the bodies' extent. `tolerance`: the penetration and
-// the change that are left alone, a length. `result` receives what there was.
+// `reach`: largest distance from a partner at which gaps are measured, a length; 0: a twentieth of the bodies' extent. `tolerance`:
+// penetration and change below which nothing is updated, a length. `result` receives both as they were before the update.
 //
 // Errors: `FMC_ERROR_NOT_POSITIVE` for `reach` and `tolerance` that are negative or no number; `FMC_ERROR_UNSUPPORTED` with self-contact,
-// a law whose pressure is not a stiffness times the penetration, and a mesh in parts; else as
-// `fmc_context_evaluate`. The multipliers have then stayed. Threads: one call at a time on a context.
+// a law whose pressure is not a stiffness times the penetration, and a mesh in parts; else as `fmc_context_evaluate`. The multipliers are
+// then unchanged. Threads: one call at a time on a context.
 fmc_status fmc_context_augment(fmc_context *context,
                                const fmc_coords *coords,
                                double reach,
                                double tolerance,
                                fmc_augmentation *result);
 
-// Multiplies the stiffness of the law, and of those that pairs have of their own, by `factor`; what surfaces that are moved out press
-// with where they just touch stays. Where an update of the multipliers leaves more than a part of the penetration, a quarter say,
-// this helps more than another one. The options of the context have the new stiffness.
+// Multiplies the stiffness of the law, and of the separate laws of pairs, by `factor`. The pressure of the multipliers does not
+// change. Call it instead of another update if the last update reduced the penetration too little, say to more than a quarter. The
+// options of the context have the new stiffness.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NOT_POSITIVE`, `FMC_ERROR_BUSY`; nothing has changed then. Threads: one call at a time
 // on a context.
@@ -2015,43 +2024,43 @@ fmc_status fmc_context_stiffen(fmc_context *context,
 
 // ---- Equilibrium at the end of a load step ---------------------------------------------------------------
 
-// What `fmc_equilibrium_next` asks for, or that the search has ended. K is the derivative of the forces where they were last asked for
-// with `matrix`, T the tangent of the contact at `x`.
+// Requests of `fmc_equilibrium_next`, and ends of the search. K is the derivative of the forces at the last request with `matrix`, T
+// the tangent of the contact at `x`.
 typedef enum {
-  // Internal less external forces at `x`, without contact.
+  // Internal minus external forces at `x`, without contact.
   FMC_REQUEST_FORCES = 0,
-  // K `vector`, rows and columns of unknowns that are not free included.
+  // K `vector`, including rows and columns of unknowns that are not free.
   FMC_REQUEST_PRODUCT = 1,
   // The diagonal of K.
   FMC_REQUEST_DIAGONAL = 2,
-  // d with (K + `shift` diag K + T) d = `vector` in the rows of free unknowns, and d = 0 at the others.
+  // d with (K + `shift` diag K + T) d = `vector` in the rows of free unknowns, and d = 0 at all other unknowns.
   FMC_REQUEST_SOLVE = 3,
   // A step from `x` to the equilibrium of the contact with bodies that are linear, by K and the forces `forces`, as
   // `fmc_context_contact_step` finds it, while unknowns that are not free move by `vector`.
   FMC_REQUEST_CONDENSED = 4,
   // The equilibrium was found: see `fmc_equilibrium_result`.
   FMC_REQUEST_FOUND = 5,
-  // There is none, or none was found: see `fmc_equilibrium_result`.
+  // There is no equilibrium, or none was found: see `fmc_equilibrium_result`.
   FMC_REQUEST_REFUSED = 6,
 } fmc_equilibrium_request_kind;
 
 // How an equilibrium was found.
 typedef enum {
-  // None was.
+  // No equilibrium was found.
   FMC_WAY_NONE = 0,
   // By steps to the equilibrium of the contact with linear bodies.
   FMC_WAY_CONDENSED = 1,
-  // By whole steps of Newton's method: it is the one beside the start.
+  // By full steps of Newton's method: it is the equilibrium next to the start.
   FMC_WAY_NEAREST = 2,
-  // Down the energy.
+  // By descent of the energy.
   FMC_WAY_DOWNHILL = 3,
 } fmc_equilibrium_way;
 
 // A search for the equilibrium of a host's bodies in contact at the end of one load step. Opaque.
 //
-// It finds the stiffness of the contact from the host's matrix where the option `stiffness` is 0; moves bodies that nothing holds until
-// contact balances their loads, or names those that nothing stops; keeps steps so short that nothing passes through anything; and
-// tries several ways to the equilibrium from the same start. The host keeps its vectors, matrices and solvers, and answers.
+// Where the option `stiffness` is 0, it finds the stiffness of the contact from the host's matrix. It moves unsupported bodies until
+// contact balances their loads, or names a body that no contact stops. It keeps steps so short that no body passes through another, and
+// tries several ways to the equilibrium from the same start. The host keeps its vectors, matrices and solvers, and answers requests.
 // Concurrent calls on one return `FMC_ERROR_BUSY`.
 typedef struct fmc_equilibrium fmc_equilibrium;
 
@@ -2061,39 +2070,41 @@ typedef struct fmc_equilibrium fmc_equilibrium;
 typedef struct {
   // Set by `fmc_equilibrium_options_init`, so that a struct that was not initialised is recognised.
   size_t struct_size;
-  // Norm of the residual at free unknowns by that of the forces of the bodies or of the contact, whichever are larger. Default 1e-9.
+  // Relative residual: its norm at free unknowns / norm of the forces of the bodies or of the contact, whichever is larger. Default
+  // 1e-9.
   double tolerance;
   // Linear solves, at most. Default 100.
   size_t max_solves;
-  // Largest mean penetration of a node that is wanted, a length. 0, the default: a thousandth of the largest elastic displacement,
-  // where the stiffness was found by the search, and what the law leaves where it was given.
+  // Penetration tolerance: largest mean penetration of a node, a length. 0, the default: a thousandth of the largest elastic
+  // displacement if the search has found the stiffness; no tolerance if the stiffness was given.
   double penetration;
-  // How far from a partner gaps are measured for it, a length; 0, the default: a twentieth of the bodies' extent.
+  // Largest distance from a partner at which gaps are measured for it, a length; 0, the default: a twentieth of the
+  // bodies' extent.
   double reach;
-  // Updates of multipliers, at most; that a penetration asked for needs more is an error. Default 20.
+  // Updates of multipliers, at most; it is an error if the tolerance needs more. Default 20.
   size_t max_updates;
-  // 1: the host answers `FMC_REQUEST_CONDENSED`. 2: such steps are the first way also for bodies that springs hardly hold; they lead to an
-  // equilibrium that is stable, and that may be far from the start. Default 0.
+  // 1: the host answers `FMC_REQUEST_CONDENSED`. 2: such steps come first also for bodies on very soft springs; they lead to a stable
+  // equilibrium, which may be far from the start. Default 0.
   int32_t condensed;
-  // 1: friction is frozen, solved for, and frozen again, all the way. Default 0.
+  // 1: friction is frozen, solved for, and frozen again, until nothing changes. Default 0.
   int32_t lagged;
-  // 1: patches of the law "fiber" are kept at the start, follow the contact far from its equilibrium, and are found again near it.
-  // 0, the default: they are left to the host.
+  // 1: patches of the law "fiber" are kept at the start, follow the contact far from its equilibrium, and are recomputed near it.
+  // 0, the default: the host keeps them.
   int32_t find_patches;
-  // 1: the host is checked at the start, and nothing is solved: the residual beside the matrix, signs, symmetry, rigid motions. The search
-  // ends with `FMC_REQUEST_FOUND`, and `fmc_equilibrium_text` has a sentence for each. Default 0.
+  // 1: the host is checked at the start, and nothing is solved. The checks compare the residual with the matrix, and test signs,
+  // symmetry and rigid motions. The search ends with `FMC_REQUEST_FOUND`, and `fmc_equilibrium_text` has a sentence for each. Default 0.
   int32_t check;
   // Zero. Room for options of later versions.
   uint64_t reserved[5];
 } fmc_equilibrium_options;
 
-// The unknowns of a host, and where a load step begins. Initialise it with `fmc_equilibrium_problem_init`.
+// The unknowns of a host, and the start of a load step. Initialise it with `fmc_equilibrium_problem_init`.
 //
 // New fields take the place of reserved ones; the size of the struct does not change.
 typedef struct {
   // Set by `fmc_equilibrium_problem_init`, so that a struct that was not initialised is recognised.
   size_t struct_size;
-  // Number of unknowns, those that are not free included.
+  // Number of unknowns, free or not.
   size_t unknown_count;
   // Number of rows of coordinates, as the context has them.
   size_t row_count;
@@ -2106,7 +2117,8 @@ typedef struct {
   const uint8_t *free;
   // Where the load step begins, `unknown_count` numbers: best the last equilibrium.
   const double *x;
-  // Where unknowns that are not free are at its end, `unknown_count` numbers; others are not read. NULL: where they are.
+  // Values at its end of unknowns that are not free, `unknown_count` numbers; other entries are not read. NULL:
+  // unchanged.
   const double *prescribed;
   // Zero.
   uint64_t reserved[4];
@@ -2118,11 +2130,12 @@ typedef struct {
 typedef struct {
   // Set by `fmc_equilibrium_answer_init`, so that a struct that was not initialised is recognised.
   size_t struct_size;
-  // What was asked for, `unknown_count` numbers. NULL: it is not there, as where a cell is inverted or a matrix singular.
+  // The requested vector, `unknown_count` numbers. NULL: there is none, for example with an inverted cell or a singular
+  // matrix.
   const double *vector;
-  // Why it is not there, or NULL.
+  // Why there is none, or NULL.
   const char *refusal;
-  // With forces: strain energy less the work of loads, or NULL where the host does not know it.
+  // With forces: strain energy minus the work of loads, or NULL where the host does not know it.
   const double *energy;
   // With a condensed step: 1 if K was found to be symmetric and positive definite where nothing touches.
   int32_t definite;
@@ -2138,7 +2151,7 @@ typedef struct {
   size_t struct_size;
   // A value of `fmc_equilibrium_request_kind`.
   int32_t kind;
-  // 1: K is that of this `x` from now on.
+  // 1: from now on K is the derivative at this `x`.
   int32_t matrix;
   // 1: entries of K count by their magnitudes.
   int32_t magnitudes;
@@ -2160,7 +2173,7 @@ typedef struct {
   uint64_t reserved[4];
 } fmc_equilibrium_request;
 
-// What a search has led to. Its arrays belong to the search, and are valid until it is freed.
+// Result of a search. Its arrays belong to the search, and are valid until it is freed.
 //
 // New fields take the place of reserved ones; the size of the struct does not change.
 typedef struct {
@@ -2168,23 +2181,23 @@ typedef struct {
   size_t struct_size;
   // A value of `fmc_equilibrium_way`; `FMC_WAY_NONE` for a refusal.
   int32_t way;
-  // Of a refusal: 1 if `unheld_body` is why.
+  // For a refusal: 1 if `unheld_body` is the reason.
   int32_t unheld;
   // The equilibrium, `unknown_count` numbers; NULL for a refusal.
   const double *x;
-  // Internal less external less contact forces there: at unknowns that are not free, what holds them. NULL for a refusal.
+  // Internal minus external minus contact forces there: at unknowns that are not free, the reactions. NULL for a refusal.
   const double *reactions;
   // Residual by the forces, state by state.
   const double *residuals;
   // Their number.
   size_t residual_count;
-  // Linear systems solved, without those that tell whether loose bodies stand.
+  // Linear systems solved, without the checks whether loose bodies are supported.
   size_t solve_count;
   // Rigid steps in which loose bodies came to rest.
   size_t rigid_step_count;
   // Parts in which the step was made.
   size_t part_count;
-  // Rigid motions that K does not hold, or hardly.
+  // Rigid motions that K does not resist, or hardly.
   size_t loose_count;
   // Updates of the multipliers.
   size_t update_count;
@@ -2192,9 +2205,9 @@ typedef struct {
   size_t text_count;
   // Largest mean penetration of a node, a length; negative where it was not measured.
   double penetration;
-  // Id of a body that nothing holds.
+  // Id of an unsupported body.
   int64_t unheld_body;
-  // Unit vector along which it goes; zeros where it turns.
+  // Unit vector along which it moves; zeros for a rotation.
   double unheld_direction[3];
   // Zero.
   uint64_t reserved[6];
@@ -2225,28 +2238,28 @@ fmc_status fmc_equilibrium_new(fmc_context *context,
                                const fmc_equilibrium_options *options,
                                fmc_equilibrium **equilibrium);
 
-// Takes the answer to the last request, and says what is asked for next, or that the search has ended.
+// Takes the answer to the last request, and writes the next request, or the end of the search.
 //
-// `answer`: NULL for the first call; without an answer the same is asked again. Between the calls the host may call the context, as to
-// get the tangent; it does not change obstacles, options or friction before the search has ended. After a refusal, friction and
-// multipliers of the context are what they were before.
+// `answer`: NULL for the first call; later a call without an answer repeats the request. Between the calls the host may call the
+// context, for example to get the tangent. It must not change obstacles, options or friction before the search has ended. A refusal
+// restores friction and multipliers of the context.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_MISALIGNED_POINTER`, `FMC_ERROR_STRUCT_SIZE`, `FMC_ERROR_UNSUPPORTED` for a context of
-// another dimension, `FMC_ERROR_BUSY`; the request then stays. Threads: one call at a time on a search and its context.
+// another dimension, `FMC_ERROR_BUSY`; the request then remains. Threads: one call at a time on a search and its context.
 fmc_status fmc_equilibrium_next(fmc_context *context,
                                 fmc_equilibrium *equilibrium,
                                 const fmc_equilibrium_answer *answer,
                                 fmc_equilibrium_request *request);
 
-// Gives up a search that has not ended, as where the host can answer no more: friction and multipliers of the context are what they were
-// before it, and the search has ended with a refusal. Does nothing where it has ended.
+// Gives up a search that has not ended, for example because the host cannot answer. It restores friction and multipliers of the context,
+// and the search ends with a refusal. Does nothing if the search has ended.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_UNSUPPORTED` for a context of another dimension, `FMC_ERROR_BUSY`. Threads: one call at a
 // time on a search and its context.
 fmc_status fmc_equilibrium_abandon(fmc_context *context,
                                    fmc_equilibrium *equilibrium);
 
-// What a search that has ended has led to.
+// Result of an ended search.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NO_STEP` while it goes on, `FMC_ERROR_BUSY`. Threads: one call at a time on a search.
 fmc_status fmc_equilibrium_found(fmc_equilibrium *equilibrium,
@@ -2259,9 +2272,9 @@ fmc_status fmc_equilibrium_found(fmc_equilibrium *equilibrium,
 const char *fmc_equilibrium_text(const fmc_equilibrium *equilibrium,
                                  size_t number);
 
-// Frees a search and sets the host's pointer to NULL. Does nothing for a NULL pointer, or a pointer to NULL. One that has not ended
-// leaves the context in mid-search, with friction that is frozen or softer, and multipliers: `fmc_equilibrium_abandon` before it takes
-// them back.
+// Frees a search and sets the host's pointer to NULL. Does nothing for a NULL pointer, or a pointer to NULL. Freeing a search before
+// its end does not restore the context, which keeps frozen or softened friction, and multipliers: call `fmc_equilibrium_abandon`
+// first.
 //
 // Errors: none. Threads: no other call on it may be running or follow.
 fmc_status fmc_equilibrium_free(fmc_equilibrium **equilibrium);
@@ -2272,20 +2285,21 @@ fmc_status fmc_equilibrium_free(fmc_equilibrium **equilibrium);
 typedef enum {
   // In equilibrium.
   FMC_STEP_CONVERGED = 0,
-  // Contact acts on degrees of freedom that are neither on the list nor fixed: the displacement is what was reached when it
-  // did, and a longer list is needed.
+  // Contact acts on degrees of freedom that are neither on the list nor fixed, and a longer list is needed. The
+  // displacement is the last one.
   FMC_STEP_OUTSIDE = 1,
-  // The iterations have run out, or the residual could not be lowered any more; the displacement is what was reached.
+  // The iterations have run out, or the residual could not be lowered further; the displacement is the last one.
   FMC_STEP_NOT_CONVERGED = 2,
 } fmc_contact_step_state;
 
 // Factors of the stiffness K of bodies, with the equations that feel contact retained for the end. Opaque.
 //
-// For hosts whose solver has no Schur complements: from K, which the host assembles without contact and without what is held, come
-// the dense matrix and the right side for `fmc_context_contact_step`, and from the displacement of what is retained that of all.
-// With c the equations that are retained and r the others, `S = K_cc - K_cr inv(K_rr) K_rc`.
+// For hosts whose solver has no Schur complements. The host assembles K without contact and without fixed degrees of freedom. The
+// condensation gives the dense matrix and the right side for `fmc_context_contact_step`, and all displacements from the retained
+// ones. With c the retained equations and r the rest, `S = K_cc - K_cr inv(K_rr) K_rc`.
 //
-// One thread works on it, so the same matrix has the same bits everywhere. Concurrent calls on one return `FMC_ERROR_BUSY`.
+// It works with one thread, so the same matrix gives bit-for-bit identical results everywhere. Concurrent calls on one
+// return `FMC_ERROR_BUSY`.
 typedef struct fmc_condensation fmc_condensation;
 
 // When a step of `fmc_context_contact_step` ends. Initialise it with `fmc_contact_step_options_init`.
@@ -2294,11 +2308,11 @@ typedef struct fmc_condensation fmc_condensation;
 typedef struct {
   // Set by `fmc_contact_step_options_init`, so that a struct that was not initialised is recognised.
   size_t struct_size;
-  // Norm of the residual, by the larger of those of the residual given and of the contact forces on the list, at which a
-  // step has converged. Default 1e-10.
+  // Relative residual at which a step has converged. The reference is the norm of the given residual or of the contact
+  // forces on the list, whichever is larger. Default 1e-10.
   double tolerance;
-  // Norm of the residual, a force, at which it has converged too; 0, the default: none. Bodies that are not linear need no
-  // more than a part of what their linearisation leaves.
+  // Norm of the residual, a force, at which it has converged too; 0, the default: none. For nonlinear bodies a part of
+  // their linearisation error suffices.
   double absolute_tolerance;
   // Relative residual below which the full tangent is taken, above it the semidefinite one. Default 0.1.
   double full_below;
@@ -2306,10 +2320,10 @@ typedef struct {
   int32_t max_iterations;
   // Trials along a direction, at most, at least 1. Default 12.
   int32_t max_trials;
-  // 1: softer contacts come first where the first step of Newton's method cannot be taken whole, because it would not lower the
-  // energy (without an energy, the residual) or would turn a cell inside out: first one that is no stiffer than the bodies at any
-  // degree of freedom of the list, then one ten times as stiff, and so on. Each may take `max_iterations`. What is reported
-  // is that of the contact as it is. 0, the default: off.
+  // 1: softer contacts come first if the first full step of Newton's method would not lower the energy (without an energy, the
+  // residual) or would invert a cell. The first contact is no stiffer than the bodies at any degree of freedom of the list, the
+  // next one is ten times as stiff, and so on. Each may take `max_iterations`. Results refer to the true contact. 0, the default:
+  // off.
   int32_t soft_start;
   // Zero. Room for switches of later versions.
   int32_t reserved_flags;
@@ -2317,16 +2331,17 @@ typedef struct {
   uint64_t reserved[7];
 } fmc_contact_step_options;
 
-// Puts the nodes where they are at a displacement of the degrees of freedom on the list of `fmc_context_contact_step`.
+// Places the nodes for a displacement of the degrees of freedom on the list of `fmc_context_contact_step`.
 //
-// Read `displacement`, (n). `coords` are dense rows, one for every node, those of the start with the displacement added on
-// the list: move the nodes that follow, and none of the list. `user` is the pointer given with the function.
+// Read `displacement`, (n). `coords` are dense rows, one for every node: the coordinates of the start, with the
+// displacement added on the list. Move the nodes that follow, and none on the list. `user` is the pointer given with the
+// function.
 //
 // Return 0; any other value makes the step fail with `FMC_ERROR_PLACE`. It is called on the thread that asked for the step. It must
 // not call a function of the same context (it would get `FMC_ERROR_BUSY`), throw, or jump out.
 typedef int32_t (*fmc_place)(void *user, size_t n, const double *displacement, double *coords);
 
-// What is said of a step.
+// Results of a step.
 //
 // New fields take the place of reserved ones; the size of the struct does not change.
 typedef struct {
@@ -2342,9 +2357,10 @@ typedef struct {
   size_t outside_count;
   // Norm of the residual at the start.
   double residual_at_start;
-  // Norm of the residual that is left.
+  // Norm of the residual at the end.
   double residual;
-  // What it is compared with: the larger of the norms of the residual given and of the contact forces on the list.
+  // Reference of the residual: the norm of the given residual or of the contact forces on the list, whichever is
+  // larger.
   double scale;
   // Zero.
   uint64_t reserved[8];
@@ -2355,25 +2371,25 @@ typedef struct {
 // Errors: `FMC_ERROR_NULL_POINTER`. Threads: any, on different structs.
 fmc_status fmc_contact_step_options_init(fmc_contact_step_options *options);
 
-// The displacement d of some degrees of freedom for which `S d + r - f(x + d) = 0`: equilibrium of the contact forces f with bodies
-// whose stiffness S and residual r without contact the host has condensed on these degrees of freedom. With it a host
-// factorises its bodies once, and the contact, which opens and closes, is iterated on a small dense system.
+// Finds the displacement d of some degrees of freedom for which `S d + r - f(x + d) = 0`: contact forces f are in equilibrium with
+// bodies. The host has condensed their stiffness S and residual r, both without contact, on these degrees of freedom. The host
+// factorises its bodies once, and iterates the contact, which opens and closes, on a small dense system.
 //
-// By Newton's method for the energy `r.d + d.S d / 2 + w(x + d)`, along whose directions it is lowered. Frozen friction has an
-// energy, too (`fmc_context_freeze_friction`); friction with the current pressure has none, the matrix is then unsymmetric, and
-// what is lowered is the residual. With the law "fiber" call `fmc_context_keep_patches` before, for one energy.
+// It uses Newton's method with a line search on the energy `r.d + d.S d / 2 + w(x + d)`. Frozen friction has an energy, too
+// (`fmc_context_freeze_friction`). Friction with the current pressure has none: the matrix is then unsymmetric, and the line
+// search lowers the residual. With the law "fiber" call `fmc_context_keep_patches` before, for one energy.
 //
-// `dofs`, the list: `dof_count` degrees of freedom, counted as in `fmc_context_tangent`, ascending; best those of
-// the tangent's pattern that may move. `fixed_dofs`: `fixed_count` others that do not move and on which contact may act, ascending.
-// `stiffness`: S, `dof_count * dof_count` numbers, row by row, symmetric; `residual`: r, internal less external forces at `coords`.
-// `options` may be NULL: the defaults. `place`, which may be NULL, moves the nodes that follow those on the list; where bodies move by more
-// than a part of a cell it is needed, since cells whose other nodes stay would be inverted. `displacement` has room for
-// `dof_count` numbers. It and `result` are written on success, which is any state of `fmc_contact_step_state`: look at it.
+// `dofs`, the list: `dof_count` degrees of freedom, counted as in `fmc_context_tangent`, ascending; take the movable ones of the tangent's
+// pattern. `fixed_dofs`: `fixed_count` others that do not move and on which contact may act, ascending. `stiffness`: S,
+// `dof_count * dof_count` numbers, row by row, symmetric; `residual`: r, internal minus external forces at `coords`. `options` may be
+// NULL: the defaults. `place`, which may be NULL, moves the nodes that follow the nodes on the list. Bodies that move by more than a part
+// of a cell need it, since cells whose other nodes stay would be inverted. `displacement` has room for `dof_count` numbers. It and
+// `result` are written on success, which is any state of `fmc_contact_step_state`: look at it.
 //
-// For less penetration than the law leaves, call `fmc_context_augment` where the step has led, and take the step again.
+// For a smaller penetration call `fmc_context_augment` at the end of the step, and repeat the step.
 //
-// Results and tangent that are kept in the context stay those of earlier calls. Dense factors of `dof_count` equations are made
-// in every iteration: some 500 take tenths of a second.
+// Results and tangent in the context remain those from earlier calls. Dense factors of `dof_count` equations are made in every
+// iteration: some 500 take tenths of a second.
 //
 // Errors: as `fmc_context_tangent` at `coords`; `FMC_ERROR_DOF_OUT_OF_RANGE`, `FMC_ERROR_REPEATED_DOF`,
 // `FMC_ERROR_NON_FINITE_STIFFNESS`, `FMC_ERROR_NOT_POSITIVE`, `FMC_ERROR_BAD_VALUE`, `FMC_ERROR_STRUCT_SIZE` and `FMC_ERROR_RESERVED_FIELD` for the options,
@@ -2406,14 +2422,13 @@ fmc_status fmc_condensation_free(fmc_condensation **condensation);
 // Factorises a symmetric matrix, with `retained_count` of its equations, `retained`, for the end.
 //
 // `matrix`: all entries, or none above the diagonal. `retained` counts equations as the matrix does, by numbers as wide as its own, and
-// ascends. The other equations have to be positive definite: bodies that are held, or are so by what is retained. What depends on
-// the pattern alone is kept for the next matrix of the same pattern, and factorising that takes less.
+// ascends. The other equations have to be positive definite: bodies are supported, or would be if the retained equations were fixed.
+// The symbolic factorisation is kept for the next matrix of the same pattern, which then takes less time.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_MISALIGNED_POINTER`, `FMC_ERROR_STRUCT_SIZE`, `FMC_ERROR_RESERVED_FIELD`, `FMC_ERROR_INDEX_SIZE`,
-// `FMC_ERROR_LENGTH`, `FMC_ERROR_DOF_OUT_OF_RANGE`, `FMC_ERROR_REPEATED_DOF`, `FMC_ERROR_NON_FINITE_STIFFNESS`,
-// `FMC_ERROR_UNSYMMETRIC`, which all leave the factors that there were; `FMC_ERROR_NOT_POSITIVE_DEFINITE` and `FMC_ERROR_OVERFLOW`,
-// after which there are none; `FMC_ERROR_UNSUPPORTED` if the library lacks the feature "solver"; `FMC_ERROR_BUSY`. Threads: one call
-// at a time on a condensation.
+// `FMC_ERROR_LENGTH`, `FMC_ERROR_DOF_OUT_OF_RANGE`, `FMC_ERROR_REPEATED_DOF`, `FMC_ERROR_NON_FINITE_STIFFNESS`, `FMC_ERROR_UNSYMMETRIC`,
+// which all keep the earlier factors. `FMC_ERROR_NOT_POSITIVE_DEFINITE` and `FMC_ERROR_OVERFLOW`, which discard them.
+// `FMC_ERROR_UNSUPPORTED` if the library lacks the feature "solver"; `FMC_ERROR_BUSY`. Threads: one call at a time on a condensation.
 fmc_status fmc_condensation_factorise(fmc_condensation *condensation,
                                       const fmc_csr *matrix,
                                       const void *retained,
@@ -2421,8 +2436,8 @@ fmc_status fmc_condensation_factorise(fmc_condensation *condensation,
 
 // S of the last matrix, row by row: the stiffness for `fmc_context_contact_step`.
 //
-// `count` becomes the number of numbers, the square of that of retained equations, for which `complement` has room for `capacity`. NULL
-// with capacity 0: the number alone is asked for.
+// `count` becomes the number of entries, the square of the number of retained equations; `complement` has room for `capacity`. NULL
+// with capacity 0: only the number is returned.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_MISALIGNED_POINTER`, `FMC_ERROR_NOT_FACTORISED`, `FMC_ERROR_BUFFER_TOO_SMALL`,
 // `FMC_ERROR_BUSY`. Threads: one call at a time on a condensation.
@@ -2431,11 +2446,10 @@ fmc_status fmc_condensation_complement(const fmc_condensation *condensation,
                                        size_t capacity,
                                        size_t *count);
 
-// What the other equations leave of a right side b on those that are retained: `b_c - K_cr inv(K_rr) b_r`.
+// Condenses a right side b on the retained equations: `b_c - K_cr inv(K_rr) b_r`.
 //
 // `right`: `right_count` numbers, as many as there are equations. `count` becomes the number of retained equations; `condensed` has
-// room for `capacity`. For `fmc_context_contact_step` its negative is the residual, where b are the external less the internal
-// forces.
+// room for `capacity`. With b the external minus the internal forces, its negative is the residual for `fmc_context_contact_step`.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_MISALIGNED_POINTER`, `FMC_ERROR_NOT_FACTORISED`, `FMC_ERROR_LENGTH`,
 // `FMC_ERROR_NON_FINITE_STIFFNESS`, `FMC_ERROR_OVERFLOW`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_BUSY`. Threads: one call at a
@@ -2447,11 +2461,12 @@ fmc_status fmc_condensation_condense(const fmc_condensation *condensation,
                                      size_t capacity,
                                      size_t *count);
 
-// Solution of `K x = b` in the equations that are not retained, with those that are as they are given: `x_r = inv(K_rr) (b_r - K_rc x_c)`.
+// Solution of `K x = b` in the equations that are not retained, with given values of the retained unknowns:
+// `x_r = inv(K_rr) (b_r - K_rc x_c)`.
 //
-// `right` is b, as many numbers as there are equations, and `retained` x_c, as many as are retained. `count` becomes the number of
-// equations; `solution` has room for `capacity`, and may not overlap them. With the displacement of `fmc_context_contact_step` as x_c
-// it is the change of all displacements.
+// `right` is b, as many numbers as there are equations, and `retained` is x_c, one for every retained equation. `count` becomes the
+// number of equations; `solution` has room for `capacity`, and may not overlap them. With the displacement of
+// `fmc_context_contact_step` as x_c it is the change of all displacements.
 //
 // Errors: as `fmc_condensation_condense`. Threads: one call at a time on a condensation.
 fmc_status fmc_condensation_expand(const fmc_condensation *condensation,
@@ -2587,7 +2602,7 @@ typedef struct {
   int64_t node;
   // Its body, an index for `fmc_context_body_resultant`.
   size_t body;
-  // What the partner is: a value of `fmc_partner`.
+  // Kind of the partner: a value of `fmc_partner`.
   int32_t partner_kind;
   // Zero.
   int32_t reserved_flags;
@@ -2912,14 +2927,14 @@ fmc_status fmc_context_gap_constraints(fmc_context *context,
                                        size_t capacity,
                                        size_t *count);
 
-// The derivative of the gaps that were found, d gap / d x, in compressed rows: the entries of row r are those from
-// `row_offsets[r]` to `row_offsets[r + 1]`, in ascending order of their columns, which are degrees of freedom as in
-// `fmc_context_tangent`. Offsets and columns count from the option `index_base`. The set of columns is what feels the contact.
-// Pressures p on the rows act with the nodal forces sum over r of p_r times row r.
+// The derivative of the gaps that were found, d gap / d x, in compressed rows: row r has the entries from `row_offsets[r]` to
+// `row_offsets[r + 1]`, in ascending order of their columns, which are degrees of freedom as in `fmc_context_tangent`. Offsets
+// and columns count from the option `index_base`. The set of columns is what feels the contact. Pressures p on the rows act
+// with the nodal forces sum over r of p_r times row r.
 //
-// `offset_count` becomes the number of offsets, one more than there are rows, and `count` that of entries. `row_offsets` has room for
-// `offset_capacity`, `cols` and `values` for `capacity`. An array that is NULL with capacity 0 is not written: its number alone is
-// asked for.
+// `offset_count` becomes the number of offsets, one more than there are rows, and `count` the number of entries. `row_offsets` has
+// room for `offset_capacity`, `cols` and `values` for `capacity`. An array that is NULL with capacity 0 is not written: only its
+// number is returned.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_LENGTH` where a number does not fit into the context's
 // numbers, `FMC_ERROR_BUSY`; nothing is written then. Threads: several at once on one context, as long as no call changes it.
@@ -2946,7 +2961,7 @@ fmc_status fmc_context_tie(const fmc_context *context,
 // Traction and jump of all ties at `coords`, by pair and node of the side that holds, mostly that with the larger facets; of bodies that do not
 // separate those along the normal.
 //
-// `count` becomes their number; `rows` has room for `capacity`. NULL with capacity 0: the number alone is asked for.
+// `count` becomes their number; `rows` has room for `capacity`. NULL with capacity 0: only the number is returned.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_LENGTH`, `FMC_ERROR_NON_FINITE_COORDINATE`,
 // `FMC_ERROR_NO_STIFFNESS`, `FMC_ERROR_UNTIED` as `fmc_context_tie`, `FMC_ERROR_BUSY`. Threads: one call at a time on a context.
@@ -2961,9 +2976,9 @@ fmc_status fmc_context_tie_nodes(fmc_context *context,
 // `row_offsets[r]` to `row_offsets[r + 1]`, in ascending order of their columns, which are degrees of freedom as in
 // `fmc_context_tangent`. Offsets and columns count from the option `index_base`.
 //
-// `offset_count` becomes the number of offsets, one more than there are rows, and `count` that of entries. `row_offsets` has room for
-// `offset_capacity`, `cols` and `values` for `capacity`. An array that is NULL with capacity 0 is not written: its number alone is
-// asked for.
+// `offset_count` becomes the number of offsets, one more than there are rows, and `count` the number of entries. `row_offsets` has
+// room for `offset_capacity`, `cols` and `values` for `capacity`. An array that is NULL with capacity 0 is not written: only its
+// number is returned.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_LENGTH` where a number does not fit into the context's
 // numbers, `FMC_ERROR_UNSUPPORTED` where a tie keeps a gap, along which its rows depend on how facets turn, and with bodies that do not separate, `FMC_ERROR_UNTIED` as
@@ -3067,9 +3082,9 @@ fmc_status fmc_context_flux(fmc_context *context,
 // semidefinite, and independent of the field. Rows and columns are nodes, then obstacles. The entries of row r are those from
 // `row_offsets[r]` to `row_offsets[r + 1]`, in ascending order of their columns. Offsets and columns count from the option `index_base`.
 //
-// `offset_count` becomes the number of offsets, one more than there are rows, and `count` that of entries. `row_offsets` has room for
-// `offset_capacity`, `cols` and `values` for `capacity`. An array that is NULL with capacity 0 is not written: its number alone is
-// asked for.
+// `offset_count` becomes the number of offsets, one more than there are rows, and `count` the number of entries. `row_offsets` has
+// room for `offset_capacity`, `cols` and `values` for `capacity`. An array that is NULL with capacity 0 is not written: only its
+// number is returned.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_LENGTH` where a number does not fit into the context's
 // numbers, `FMC_ERROR_BUSY`; nothing is written then. Threads: several at once on one context, as long as no call changes it.
@@ -3111,7 +3126,7 @@ fmc_status fmc_context_cohesive(fmc_context *context,
 
 // All points of cohesive interfaces at `coords`, by pair, in the order of `fmc_context_damage`.
 //
-// `count` becomes their number; `rows` has room for `capacity`. NULL with capacity 0: the number alone is asked for.
+// `count` becomes their number; `rows` has room for `capacity`. NULL with capacity 0: only the number is returned.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_LENGTH`, `FMC_ERROR_NON_FINITE_COORDINATE`,
 // `FMC_ERROR_UNTIED` as `fmc_context_cohesive`, `FMC_ERROR_BUSY`. Threads: one call at a time on a context.
@@ -3124,7 +3139,7 @@ fmc_status fmc_context_cohesive_points(fmc_context *context,
 // All points of interfaces by laws of the host at `coords`, by pair, in the order of `fmc_context_law_history`. Area times energies, summed up,
 // are the energies of the interfaces.
 //
-// `count` becomes their number; `rows` has room for `capacity`. NULL with capacity 0: the number alone is asked for.
+// `count` becomes their number; `rows` has room for `capacity`. NULL with capacity 0: only the number is returned.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_LENGTH`, `FMC_ERROR_NON_FINITE_COORDINATE`, `FMC_ERROR_INTERFACE_LAW`;
 // `FMC_ERROR_UNTIED` where other reference coordinates have left nothing of an interface; `FMC_ERROR_BUSY`. Threads: one call at a time on a
@@ -3137,7 +3152,7 @@ fmc_status fmc_context_law_points(fmc_context *context,
 
 // The boundary facets in the order in which `fmc_context_slip` has them, body after body.
 //
-// `count` becomes their number; `facets` has room for `capacity`. NULL with capacity 0: the number alone is asked for.
+// `count` becomes their number; `facets` has room for `capacity`. NULL with capacity 0: only the number is returned.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_BUSY`; nothing is written then. Threads: several at
 // once on one context, as long as no call changes it.
@@ -3158,8 +3173,8 @@ fmc_status fmc_context_boundary_facets(const fmc_context *context,
 // columns are unknowns, and rows add up to what those of the basis do.
 //
 // There are at least as many points as nodes; numbers change with a basis only. `offset_count` becomes the number of offsets, one
-// more than there are points, and `count` that of entries. `row_offsets` has room for `offset_capacity`, `nodes` and `weights` for
-// `capacity`. An array that is NULL with capacity 0 is not written: its number alone is asked for.
+// more than there are points, and `count` the number of entries. `row_offsets` has room for `offset_capacity`, `nodes` and
+// `weights` for `capacity`. An array that is NULL with capacity 0 is not written: only its number is returned.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_BUSY`; nothing is written then. Threads:
 // several at once on one context, as long as no call changes it.
@@ -3292,7 +3307,7 @@ fmc_status fmc_context_pair_wear(const fmc_context *context,
 
 // How far surfaces are worn off (`fmc_context_set_pair_wear`), a length for every node, in the order of `fmc_context_nodal_contact`; 0 at first.
 //
-// `count` becomes how many numbers there are; `depth` has room for `capacity`. NULL with capacity 0: that alone is asked for.
+// `count` becomes their number; `depth` has room for `capacity`. NULL with capacity 0: only the number is returned.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_NO_STEP` after `fmc_context_set_worn_facets` before
 // `fmc_context_begin_step`, `FMC_ERROR_UNSUPPORTED` for a mesh in parts, `FMC_ERROR_BUSY`; nothing is written then. Threads: several at
@@ -3305,7 +3320,8 @@ fmc_status fmc_context_worn_depth(const fmc_context *context,
 // What every body has lost by wear: a volume, in 2D by unit of thickness, with axisymmetry that of rings. It is the integral of K p |s| dA of all
 // steps that were accepted.
 //
-// `count` becomes the number of bodies; `volumes` has room for `capacity`. NULL with capacity 0: that alone is asked for.
+// `count` becomes the number of bodies; `volumes` has room for `capacity`. NULL with capacity 0: only the number is
+// returned.
 //
 // Errors: as `fmc_context_worn_depth`. Threads: several at once on one context, as long as no call changes it.
 fmc_status fmc_context_worn_volumes(const fmc_context *context,
@@ -3317,7 +3333,7 @@ fmc_status fmc_context_worn_volumes(const fmc_context *context,
 // by its place in `fmc_context_boundary_facets` from 0 whatever the base; the node from 0, with cells of second order the point
 // (`fmc_context_point_weights`); the depth against the normal of the facet; and the volume. Rows ascend by facet and point.
 //
-// `count` becomes how many numbers there are; `worn` has room for `capacity`. NULL with capacity 0: that alone is asked for.
+// `count` becomes their number; `worn` has room for `capacity`. NULL with capacity 0: only the number is returned.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_BUSY`; nothing is written then. Threads: several at once on
 // one context, as long as no call changes it.
@@ -3356,7 +3372,7 @@ fmc_status fmc_context_set_wear_cycles(fmc_context *context,
 // second side of that pair, else 0; three of the slip of the facet, a length, in 2D the last 0; how far
 // it has slid since it rested, with `static_coefficient`, else 0. Rows ascend by facet, partner and side.
 //
-// `count` becomes how many numbers there are; `slip` has room for `capacity`. NULL with capacity 0: that alone is asked for.
+// `count` becomes their number; `slip` has room for `capacity`. NULL with capacity 0: only the number is returned.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NO_STEP`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_BUSY`; nothing is written then.
 // Threads: several at once on one context, as long as no call changes it.
@@ -3378,7 +3394,7 @@ fmc_status fmc_context_set_slip(fmc_context *context,
 // What laws of friction of the host keep after the steps that were accepted (`fmc_context_commit_step`): for each row of `fmc_context_slip`, in its
 // order, as many numbers as the law of its pair has, none without a law. With the slip it is all that a restart needs of them.
 //
-// `count` becomes how many numbers there are; `history` has room for `capacity`. NULL with capacity 0: that alone is asked for.
+// `count` becomes their number; `history` has room for `capacity`. NULL with capacity 0: only the number is returned.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_NO_STEP`, `FMC_ERROR_BUSY`; nothing is written then. Threads:
 // several at once on one context, as long as no call changes it.
@@ -3400,7 +3416,7 @@ fmc_status fmc_context_set_friction_history(fmc_context *context,
 // `fmc_context_cohesive_points`: two numbers for each, its damage, 0 to 1, and the energy by area that it has dissipated. With the
 // coordinates it is all that a restart needs of them, but for friction and viscosity (`fmc_context_cohesive_history`).
 //
-// `count` becomes how many numbers there are; `damage` has room for `capacity`. NULL with capacity 0: that alone is asked for.
+// `count` becomes their number; `damage` has room for `capacity`. NULL with capacity 0: only the number is returned.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_UNTIED` as `fmc_context_cohesive`, `FMC_ERROR_BUSY`; nothing
 // is written then. Threads: several at once on one context, as long as no call changes it.
@@ -3423,7 +3439,7 @@ fmc_status fmc_context_set_damage(fmc_context *context,
 // step began, which is more than its damage says while viscosity holds damage back. All are 0 without friction and viscosity. A restart sets
 // them with the damage.
 //
-// `count` becomes how many numbers there are; `history` has room for `capacity`. NULL with capacity 0: that alone is asked for.
+// `count` becomes their number; `history` has room for `capacity`. NULL with capacity 0: only the number is returned.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_UNTIED` as `fmc_context_cohesive`, `FMC_ERROR_BUSY`; nothing
 // is written then. Threads: several at once on one context, as long as no call changes it.
@@ -3450,7 +3466,7 @@ fmc_status fmc_context_set_time_step(fmc_context *context,
 // The history of all points of interfaces by laws of the host after the steps that were accepted (`fmc_context_commit_step`), in the order of
 // `fmc_context_law_points`: as many numbers for each as its law has. With the coordinates it is all that a restart needs of them.
 //
-// `count` becomes how many numbers there are; `history` has room for `capacity`. NULL with capacity 0: that alone is asked for.
+// `count` becomes their number; `history` has room for `capacity`. NULL with capacity 0: only the number is returned.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_UNTIED` as `fmc_context_law_points`, `FMC_ERROR_BUSY`; nothing is
 // written then. Threads: several at once on one context, as long as no call changes it.
@@ -3470,7 +3486,7 @@ fmc_status fmc_context_set_law_history(fmc_context *context,
 // The multipliers, ascending by node and partner: with the coordinates all that a restart needs, or a load step that is tried
 // again.
 //
-// `count` becomes their number; `rows` has room for `capacity`. NULL with capacity 0: the number alone is asked for.
+// `count` becomes their number; `rows` has room for `capacity`. NULL with capacity 0: only the number is returned.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_BUSY`. Threads: several at once on one
 // context, as long as no call changes it.
@@ -3698,7 +3714,7 @@ fmc_status fmc_context_gathered_counts(const fmc_context *context,
 // The nodes gathered, in the order in which the context counts them: `numbers`, their numbers in the whole mesh, ascending;
 // `own_nodes`, which of this rank's own nodes each is, -1 where it is a node of other ranks alone; both counted from the option
 // `index_base`; `coords`, where they are, `dim` numbers each in dense rows. Each may be NULL, and has room for `capacity` nodes;
-// `count` becomes their number. All three NULL with capacity 0: the number alone is asked for. Evaluations are at these coordinates;
+// `count` becomes their number. All three NULL with capacity 0: only the number is returned. Evaluations are at these coordinates;
 // forces, rows and columns are those of these nodes.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_MISALIGNED_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_UNSUPPORTED`,
@@ -3711,7 +3727,7 @@ fmc_status fmc_context_gathered_nodes(const fmc_context *context,
                                       size_t *count);
 
 // The numbers in the whole mesh of the cells gathered, ascending, counted from the option `index_base`. `count` becomes how many they
-// are; `numbers` has room for `capacity`. NULL with capacity 0: the number alone is asked for.
+// are; `numbers` has room for `capacity`. NULL with capacity 0: only the number is returned.
 //
 // Errors: as `fmc_context_gathered_nodes`. Threads: as that.
 fmc_status fmc_context_gathered_cells(const fmc_context *context,

@@ -3,8 +3,8 @@
 use crate::Error;
 use std::ffi::{CStr, c_char};
 
-/// Result of a call. 0 is success; every cause of failure has a code of its own, and the text that names the
-/// offending indices and values is given by `fmc_last_error`.
+/// Result of a call. 0 is success. Every cause of failure has a separate code. `fmc_last_error` returns a text with the
+/// offending indices and values.
 ///
 /// After any error the outputs are untouched and the context is as it was before the call. Codes are never reused.
 #[repr(C)]
@@ -16,9 +16,9 @@ pub enum fmc_status {
     FMC_ERROR_NULL_POINTER = 1,
     /// A pointer is not a multiple of its element's size.
     FMC_ERROR_MISALIGNED_POINTER = 2,
-    /// The length of an array is not what the mesh says, or cannot be addressed.
+    /// The length of an array does not match the mesh, or cannot be addressed.
     FMC_ERROR_LENGTH = 3,
-    /// The host's array is shorter than what is to be written into it.
+    /// The host's array is too short for the output.
     FMC_ERROR_BUFFER_TOO_SMALL = 4,
     /// Strides for which entries of an output share memory, or that cannot be addressed.
     FMC_ERROR_STRIDE = 5,
@@ -70,7 +70,7 @@ pub enum fmc_status {
     FMC_ERROR_BUSY = 28,
     /// A volume, energy, force or entry of the tangent exceeds the range of a double.
     FMC_ERROR_OVERFLOW = 29,
-    /// A panic was caught: a defect of this library. The text says what and where.
+    /// A panic was caught: a defect of this library. The text gives the reason and the place.
     FMC_ERROR_PANIC = 30,
     /// The points of a convex hull lie in one plane (2D: on one line), or their hull cannot be found to rounding.
     FMC_ERROR_DEGENERATE_HULL = 31,
@@ -133,7 +133,7 @@ pub enum fmc_status {
     FMC_ERROR_BAD_VALUE = 59,
     /// A bit of `flags` that the function does not have.
     FMC_ERROR_UNKNOWN_FLAG = 60,
-    /// Two options exclude one another, or one would have no effect beside the others.
+    /// Two options exclude one another, or one would have no effect in combination with the rest.
     FMC_ERROR_OPTIONS_CONFLICT = 61,
     /// A reserved field is not zero: an option of a later version of the library.
     FMC_ERROR_RESERVED_FIELD = 62,

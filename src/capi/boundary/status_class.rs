@@ -4,7 +4,7 @@ use super::status::fmc_status::{self, *};
 use super::status::status_of;
 use fmc_status_class_value::*;
 
-/// Class of a status: what a host does about it.
+/// Class of a status: how a host reacts to it.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum fmc_status_class_value {
@@ -98,7 +98,7 @@ fn class_of(status: fmc_status) -> fmc_status_class_value {
 }
 
 /// Class of a status, a value of `fmc_status_class_value`; `FMC_CLASS_INTERNAL` for a number that is no status. A host that
-/// branches on classes bears statuses of later versions of the library. Threads: any.
+/// branches on classes tolerates statuses of later versions of the library. Threads: any.
 #[unsafe(no_mangle)]
 pub extern "C" fn fmc_status_class(status: i32) -> i32 {
     status_of(status).map_or(FMC_CLASS_INTERNAL, class_of) as i32

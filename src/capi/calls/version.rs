@@ -4,9 +4,8 @@ use crate::capi::boundary::entry::quietly;
 use crate::capi::boundary::pointer::text;
 use std::ffi::{CStr, c_char};
 
-/// Version of the binary interface that this header describes. It grows when a struct, a function or the meaning of one
-/// changes in a way that a compiled host would notice; a host compares it with `fmc_abi_version()` when it loads the
-/// library at run time.
+/// Version of the binary interface that this header describes. It grows when a struct or a function changes in a way
+/// that a compiled host would notice. A host that loads the library at run time compares it with `fmc_abi_version()`.
 pub const FMC_ABI_VERSION: i32 = 3;
 
 /// What a build can lack, by name.

@@ -18,7 +18,7 @@ use crate::contact::{CompressedRows, Pattern};
 use std::ffi::{c_char, c_void};
 use std::sync::{RwLock, RwLockReadGuard, TryLockError};
 
-/// Level of a log message: something the user should know about a result that is an answer all the same.
+/// Level of a warning: the result is valid, but the user should read the message.
 pub const FMC_LOG_WARNING: i32 = 1;
 
 /// Receives messages: a level, and a sentence that is valid during the call. `user` is the pointer given with it.
@@ -27,7 +27,7 @@ pub const FMC_LOG_WARNING: i32 = 1;
 /// throw, or jump out.
 pub type fmc_log_callback = Option<unsafe extern "C" fn(user: *mut c_void, level: i32, text: *const c_char)>;
 
-/// Facets, search trees and obstacles of a mesh in contact, and what the last evaluation found. Opaque.
+/// Facets, search trees and obstacles of a mesh in contact, and the results of the last evaluation. Opaque.
 ///
 /// Contexts share nothing, so different ones may be used by different threads at once. One context may be used by one
 /// thread after another. Concurrent calls on it, from two threads or from inside a callback, return `FMC_ERROR_BUSY`.

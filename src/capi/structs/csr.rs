@@ -11,8 +11,8 @@ use crate::capi::boundary::status::fmc_status::{FMC_ERROR_BAD_VALUE, FMC_ERROR_L
 use std::ffi::c_void;
 use std::ptr::null;
 
-/// A sparse matrix of the host in compressed rows (CSR): the entries of row r are those from `row_offsets[r]` to `row_offsets[r + 1]`,
-/// in any order; those at one place add up. Initialise it with `fmc_csr_init`, then set all fields.
+/// A sparse matrix of the host in compressed rows (CSR): row r has the entries from `row_offsets[r]` to `row_offsets[r + 1]`, in any
+/// order; entries at one place add up. Initialise it with `fmc_csr_init`, then set all fields.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct fmc_csr {
@@ -22,7 +22,7 @@ pub struct fmc_csr {
     pub row_count: usize,
     /// Bytes of an offset and of a column, 4 or 8.
     pub index_size: i32,
-    /// What offsets, rows and columns count from, 0 or 1.
+    /// First number of offsets, rows and columns, 0 or 1.
     pub index_base: i32,
     /// Where rows begin, and the last one ends: `row_count` + 1 numbers.
     pub row_offsets: *const c_void,

@@ -12,7 +12,7 @@ use std::ffi::{c_char, c_void};
 const SEMIDEFINITE: u32 = 2;
 const SYMMETRIC: u32 = 32;
 
-/// The unknowns of a host, and where a load step begins. Initialise it with `fmc_equilibrium_problem_init`.
+/// The unknowns of a host, and the start of a load step. Initialise it with `fmc_equilibrium_problem_init`.
 ///
 /// New fields take the place of reserved ones; the size of the struct does not change.
 #[repr(C)]
@@ -20,7 +20,7 @@ const SYMMETRIC: u32 = 32;
 pub struct fmc_equilibrium_problem {
     /// Set by `fmc_equilibrium_problem_init`, so that a struct that was not initialised is recognised.
     pub struct_size: usize,
-    /// Number of unknowns, those that are not free included.
+    /// Number of unknowns, free or not.
     pub unknown_count: usize,
     /// Number of rows of coordinates, as the context has them.
     pub row_count: usize,
@@ -33,7 +33,8 @@ pub struct fmc_equilibrium_problem {
     pub free: *const u8,
     /// Where the load step begins, `unknown_count` numbers: best the last equilibrium.
     pub x: *const f64,
-    /// Where unknowns that are not free are at its end, `unknown_count` numbers; others are not read. NULL: where they are.
+    /// Values at its end of unknowns that are not free, `unknown_count` numbers; other entries are not read. NULL:
+    /// unchanged.
     pub prescribed: *const f64,
     /// Zero.
     pub reserved: [u64; 4],
@@ -112,27 +113,29 @@ impl fmc_equilibrium_problem {
 pub struct fmc_equilibrium_options {
     /// Set by `fmc_equilibrium_options_init`, so that a struct that was not initialised is recognised.
     pub struct_size: usize,
-    /// Norm of the residual at free unknowns by that of the forces of the bodies or of the contact, whichever are larger. Default 1e-9.
+    /// Relative residual: its norm at free unknowns / norm of the forces of the bodies or of the contact, whichever is larger. Default
+    /// 1e-9.
     pub tolerance: f64,
     /// Linear solves, at most. Default 100.
     pub max_solves: usize,
-    /// Largest mean penetration of a node that is wanted, a length. 0, the default: a thousandth of the largest elastic displacement,
-    /// where the stiffness was found by the search, and what the law leaves where it was given.
+    /// Penetration tolerance: largest mean penetration of a node, a length. 0, the default: a thousandth of the largest elastic
+    /// displacement if the search has found the stiffness; no tolerance if the stiffness was given.
     pub penetration: f64,
-    /// How far from a partner gaps are measured for it, a length; 0, the default: a twentieth of the bodies' extent.
+    /// Largest distance from a partner at which gaps are measured for it, a length; 0, the default: a twentieth of the
+    /// bodies' extent.
     pub reach: f64,
-    /// Updates of multipliers, at most; that a penetration asked for needs more is an error. Default 20.
+    /// Updates of multipliers, at most; it is an error if the tolerance needs more. Default 20.
     pub max_updates: usize,
-    /// 1: the host answers `FMC_REQUEST_CONDENSED`. 2: such steps are the first way also for bodies that springs hardly hold; they lead to an
-    /// equilibrium that is stable, and that may be far from the start. Default 0.
+    /// 1: the host answers `FMC_REQUEST_CONDENSED`. 2: such steps come first also for bodies on very soft springs; they lead to a stable
+    /// equilibrium, which may be far from the start. Default 0.
     pub condensed: i32,
-    /// 1: friction is frozen, solved for, and frozen again, all the way. Default 0.
+    /// 1: friction is frozen, solved for, and frozen again, until nothing changes. Default 0.
     pub lagged: i32,
-    /// 1: patches of the law "fiber" are kept at the start, follow the contact far from its equilibrium, and are found again near it.
-    /// 0, the default: they are left to the host.
+    /// 1: patches of the law "fiber" are kept at the start, follow the contact far from its equilibrium, and are recomputed near it.
+    /// 0, the default: the host keeps them.
     pub find_patches: i32,
-    /// 1: the host is checked at the start, and nothing is solved: the residual beside the matrix, signs, symmetry, rigid motions. The search
-    /// ends with `FMC_REQUEST_FOUND`, and `fmc_equilibrium_text` has a sentence for each. Default 0.
+    /// 1: the host is checked at the start, and nothing is solved. The checks compare the residual with the matrix, and test signs,
+    /// symmetry and rigid motions. The search ends with `FMC_REQUEST_FOUND`, and `fmc_equilibrium_text` has a sentence for each. Default 0.
     pub check: i32,
     /// Zero. Room for options of later versions.
     pub reserved: [u64; 5],
@@ -190,25 +193,25 @@ impl fmc_equilibrium_options {
     }
 }
 
-/// What `fmc_equilibrium_next` asks for, or that the search has ended. K is the derivative of the forces where they were last asked for
-/// with `matrix`, T the tangent of the contact at `x`.
+/// Requests of `fmc_equilibrium_next`, and ends of the search. K is the derivative of the forces at the last request with `matrix`, T
+/// the tangent of the contact at `x`.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum fmc_equilibrium_request_kind {
-    /// Internal less external forces at `x`, without contact.
+    /// Internal minus external forces at `x`, without contact.
     FMC_REQUEST_FORCES = 0,
-    /// K `vector`, rows and columns of unknowns that are not free included.
+    /// K `vector`, including rows and columns of unknowns that are not free.
     FMC_REQUEST_PRODUCT = 1,
     /// The diagonal of K.
     FMC_REQUEST_DIAGONAL = 2,
-    /// d with (K + `shift` diag K + T) d = `vector` in the rows of free unknowns, and d = 0 at the others.
+    /// d with (K + `shift` diag K + T) d = `vector` in the rows of free unknowns, and d = 0 at all other unknowns.
     FMC_REQUEST_SOLVE = 3,
     /// A step from `x` to the equilibrium of the contact with bodies that are linear, by K and the forces `forces`, as
     /// `fmc_context_contact_step` finds it, while unknowns that are not free move by `vector`.
     FMC_REQUEST_CONDENSED = 4,
     /// The equilibrium was found: see `fmc_equilibrium_result`.
     FMC_REQUEST_FOUND = 5,
-    /// There is none, or none was found: see `fmc_equilibrium_result`.
+    /// There is no equilibrium, or none was found: see `fmc_equilibrium_result`.
     FMC_REQUEST_REFUSED = 6,
 }
 
@@ -220,7 +223,7 @@ pub struct fmc_equilibrium_request {
     pub struct_size: usize,
     /// A value of `fmc_equilibrium_request_kind`.
     pub kind: i32,
-    /// 1: K is that of this `x` from now on.
+    /// 1: from now on K is the derivative at this `x`.
     pub matrix: i32,
     /// 1: entries of K count by their magnitudes.
     pub magnitudes: i32,
@@ -250,11 +253,12 @@ pub struct fmc_equilibrium_request {
 pub struct fmc_equilibrium_answer {
     /// Set by `fmc_equilibrium_answer_init`, so that a struct that was not initialised is recognised.
     pub struct_size: usize,
-    /// What was asked for, `unknown_count` numbers. NULL: it is not there, as where a cell is inverted or a matrix singular.
+    /// The requested vector, `unknown_count` numbers. NULL: there is none, for example with an inverted cell or a singular
+    /// matrix.
     pub vector: *const f64,
-    /// Why it is not there, or NULL.
+    /// Why there is none, or NULL.
     pub refusal: *const c_char,
-    /// With forces: strain energy less the work of loads, or NULL where the host does not know it.
+    /// With forces: strain energy minus the work of loads, or NULL where the host does not know it.
     pub energy: *const f64,
     /// With a condensed step: 1 if K was found to be symmetric and positive definite where nothing touches.
     pub definite: i32,

@@ -6,17 +6,17 @@ use crate::contact::equilibrium::{Found, Refusal, Way};
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum fmc_equilibrium_way {
-    /// None was.
+    /// No equilibrium was found.
     FMC_WAY_NONE = 0,
     /// By steps to the equilibrium of the contact with linear bodies.
     FMC_WAY_CONDENSED = 1,
-    /// By whole steps of Newton's method: it is the one beside the start.
+    /// By full steps of Newton's method: it is the equilibrium next to the start.
     FMC_WAY_NEAREST = 2,
-    /// Down the energy.
+    /// By descent of the energy.
     FMC_WAY_DOWNHILL = 3,
 }
 
-/// What a search has led to. Its arrays belong to the search, and are valid until it is freed.
+/// Result of a search. Its arrays belong to the search, and are valid until it is freed.
 ///
 /// New fields take the place of reserved ones; the size of the struct does not change.
 #[repr(C)]
@@ -26,23 +26,23 @@ pub struct fmc_equilibrium_result {
     pub struct_size: usize,
     /// A value of `fmc_equilibrium_way`; `FMC_WAY_NONE` for a refusal.
     pub way: i32,
-    /// Of a refusal: 1 if `unheld_body` is why.
+    /// For a refusal: 1 if `unheld_body` is the reason.
     pub unheld: i32,
     /// The equilibrium, `unknown_count` numbers; NULL for a refusal.
     pub x: *const f64,
-    /// Internal less external less contact forces there: at unknowns that are not free, what holds them. NULL for a refusal.
+    /// Internal minus external minus contact forces there: at unknowns that are not free, the reactions. NULL for a refusal.
     pub reactions: *const f64,
     /// Residual by the forces, state by state.
     pub residuals: *const f64,
     /// Their number.
     pub residual_count: usize,
-    /// Linear systems solved, without those that tell whether loose bodies stand.
+    /// Linear systems solved, without the checks whether loose bodies are supported.
     pub solve_count: usize,
     /// Rigid steps in which loose bodies came to rest.
     pub rigid_step_count: usize,
     /// Parts in which the step was made.
     pub part_count: usize,
-    /// Rigid motions that K does not hold, or hardly.
+    /// Rigid motions that K does not resist, or hardly.
     pub loose_count: usize,
     /// Updates of the multipliers.
     pub update_count: usize,
@@ -50,9 +50,9 @@ pub struct fmc_equilibrium_result {
     pub text_count: usize,
     /// Largest mean penetration of a node, a length; negative where it was not measured.
     pub penetration: f64,
-    /// Id of a body that nothing holds.
+    /// Id of an unsupported body.
     pub unheld_body: i64,
-    /// Unit vector along which it goes; zeros where it turns.
+    /// Unit vector along which it moves; zeros for a rotation.
     pub unheld_direction: [f64; 3],
     /// Zero.
     pub reserved: [u64; 6],

@@ -15,7 +15,7 @@ use std::ffi::CString;
 pub struct fmc_result {
     /// Size of this struct, as the library wrote it.
     pub struct_size: usize,
-    /// Volume (2D: area) of what is inside both sides, summed over the pairs.
+    /// Volume (2D: area) of the overlap of both sides, summed over the pairs.
     pub volume: f64,
     /// Standard error of the volume; 0 for `exact`.
     pub volume_standard_error: f64,
@@ -47,7 +47,7 @@ pub struct fmc_result {
     pub stick_area: f64,
     /// Area (2D: length) that slides.
     pub slip_area: f64,
-    /// Largest slip since the step began that was not elastic.
+    /// Largest slip since the step began, without its elastic part.
     pub largest_slip: f64,
     /// Zero.
     pub reserved: [u64; 3],
@@ -98,25 +98,24 @@ pub struct fmc_pair_result {
     pub a: usize,
     /// Second side; the same as the first for a body that overlaps itself.
     pub b: usize,
-    /// Volume (2D: area) of what is inside both sides, each place once, with every law and estimator.
+    /// Volume (2D: area) of the overlap of both sides, each place once, with every law and estimator.
     pub volume: f64,
     /// Standard error of the volume; 0 for `exact`.
     pub volume_standard_error: f64,
     /// Energy.
     pub energy: f64,
-    /// Mean of the contact pressure over the contact: with the law "volume" dw/dV, which is one for the whole pair;
-    /// with "fiber" psi'(L), the mean over its lines; with "depth" k times the depth of either surface below the
-    /// other, the mean over both.
+    /// Mean of the contact pressure over the contact: with the law "volume" dw/dV, one value for the whole pair; with
+    /// "fiber" psi'(L), the mean over its lines; with "depth" k times the depth of either surface below the other, the
+    /// mean over both.
     pub pressure: f64,
-    /// Area of contact (2D: length): half of the boundary of what is inside both sides, the strips of sunken side
-    /// walls with it. The law "fiber" does not see strips along its lines; with "depth" and an obstacle it is the
-    /// surface of the body that is inside. Facets that do not match gape between their nodes in hard contact; what
-    /// gapes is not counted.
+    /// Area of contact (2D: length): half of the boundary of the overlap, including the strips of penetrating side
+    /// walls. The law "fiber" does not see strips along its lines; with "depth" and an obstacle it is the surface of
+    /// the body that is inside. Non-matching facets separate between their nodes in hard contact; the separated part is
+    /// not counted.
     pub contact_area: f64,
-    /// How deep the sides reach into one another: with the law "fiber" the longest of its lines, with "depth" the
-    /// largest depth of either surface below the other, with "volume", which knows no depth of a place, the extent
-    /// of the overlap along its mean normal. The same where faces overlap flat. With "fiber" and "depth" k times it
-    /// is the largest pressure.
+    /// Penetration. With the law "fiber" it is the longest of its lines, with "depth" the largest depth of either
+    /// surface below the other. With "volume", which has no local depth, it is the extent of the overlap along its mean
+    /// normal. For flat faces all three agree. With "fiber" and "depth" k times it is the largest pressure.
     pub penetration: f64,
     /// Spacing of the fibers; 0 for `exact`. Passed as the option `spacing`, it gives the same pattern again.
     pub spacing: f64,
@@ -144,44 +143,44 @@ pub enum fmc_warning {
     FMC_WARNING_UNRESOLVED_OVERLAP = 2,
     /// One body lies inside the other and is not pushed out.
     FMC_WARNING_SWALLOWED_BODY = 3,
-    /// The law "fiber" does not count a patch of the contact beside one that is much shallower or larger; the text gives
-    /// its area, penetration and normal. Two bodies in place of one that has both walls, or the law "volume", count it.
+    /// The law "fiber" neglects a patch of the contact next to a much shallower or larger one; the text gives its area,
+    /// penetration and normal. Two bodies in place of one that has both walls, or the law "volume", count it.
     FMC_WARNING_PATCH_LEFT_OUT = 4,
-    /// Forces or moments of a pair do not add up to zero by more than rounding, with the estimator "exact"; or, with the law "depth", by
-    /// more than a tenth, since faces in contact were named as faces in planes of symmetry. The text gives the imbalance. Forces may be
-    /// wrong by as much.
+    /// With the estimator "exact", forces or moments of a pair add up to zero with an error above rounding. Or, with the law "depth",
+    /// the error exceeds a tenth, since faces in contact were named as faces in planes of symmetry. The text gives the imbalance. Forces
+    /// may be wrong by as much.
     FMC_WARNING_UNBALANCED = 5,
-    /// With the law "depth", faces of two bodies lie in one plane, look the same way and reach into the overlap, as planes of
-    /// symmetry do, and the host has not called `fmc_context_set_symmetry_nodes`, with no nodes if there are none. The text
-    /// gives the area. Beside a plane of symmetry that is taken for surface the nodal forces are too low, by about the ratio of
-    /// penetration and cell size.
+    /// With the law "depth", faces of two bodies lie in one plane, face the same way and reach into the overlap, as planes of
+    /// symmetry do. The host has not called `fmc_context_set_symmetry_nodes` (without nodes if there is no symmetry). The text
+    /// gives the area. Next to a plane of symmetry that is treated as surface the nodal forces are too low, by about the ratio
+    /// of penetration and cell size.
     FMC_WARNING_FLUSH_FACES = 6,
-    /// Faces of one body lie on one another and look at each other, without deformation: nodes were not merged there, a flat cell
-    /// was left out, or a crack is meant. The text gives the area and nodes, counted from `index_base`. The law "depth" takes such
-    /// faces for surface, and a contact near them bears too little.
+    /// Faces of one body coincide and face each other, without deformation: nodes were not merged there, a flat cell was left out,
+    /// or there is a crack. The text gives the area and nodes, counted from `index_base`. The law "depth" treats such faces as
+    /// surface, and the pressure near them is too low.
     FMC_WARNING_COINCIDING_FACES = 7,
     /// With the law "depth", a signed distance grows more slowly at its surface than a distance; the text gives the slopes.
     /// Penetrations, and with them pressures, are too small by that factor.
     FMC_WARNING_GENTLE_DISTANCE = 8,
-    /// With the law "depth", the facets in contact lie farther beside the round surfaces that they stand for than the sides penetrate;
-    /// the text gives both sizes. Where such surfaces conform, as a pin in its hole, pressures may be wrong by factors:
+    /// With the law "depth", the distance from facets in contact to the round surfaces that they represent exceeds the penetration; the
+    /// text gives both sizes. Where such surfaces conform, as a pin in its hole, pressures may be wrong by factors:
     /// `fmc_context_set_surface_smoothing` measures round faces, of bodies whose facets meet at less than its angle, or take a finer mesh.
     FMC_WARNING_CURVED_FACES = 9,
     /// With the law "depth", cells are so coarse that curved faces in contact, of second order or smoothed, may be wrong by more than
-    /// two fifths of the penetration, and pressures at single points by as much; the text gives both sizes. Take a finer mesh. The
-    /// error falls with the fourth power of the cell size.
+    /// two fifths of the penetration. Pressures at single points may be wrong by as much. The text gives both sizes. Take a finer
+    /// mesh. The error falls with the fourth power of the cell size.
     FMC_WARNING_COARSE_FACES = 10,
     /// `fmc_context_set_surface_smoothing` has no effect on a pair of bodies, since its law is not "depth": it is measured by straight
     /// facets.
     FMC_WARNING_UNUSED_SMOOTHING = 11,
-    /// Faces of bodies that are tied lie in part farther apart than the reach, as those of coarse round bodies, and are tied in part only;
-    /// the text gives areas and distances. A larger `reach` of the pair ties them.
+    /// Some faces of tied bodies are farther apart than the reach, for example on coarse round bodies, and only part of them is tied; the
+    /// text gives areas and distances. A larger `reach` of the pair ties them.
     FMC_WARNING_TIED_IN_PART = 12,
-    /// Facets in contact are perpendicular to the direction along which the friction of the pair has a coefficient of its own; the text
-    /// gives one of them, counted from `index_base`, and their part of the friction. The transverse coefficient holds there for all slip.
+    /// Facets in contact are perpendicular to the direction of friction of the pair; the text gives one of them, counted from
+    /// `index_base`, and their part of the friction. The transverse coefficient holds there for all slip.
     FMC_WARNING_NO_FRICTION_DIRECTION = 13,
-    /// A step, with all of its cycles, would wear off more than the sides of a pair penetrate; the text gives the ratio. Pressures may go up
-    /// and down from step to step: take smaller steps, or fewer cycles (`fmc_context_set_wear_cycles`).
+    /// A step, with all of its cycles, would wear off more than the sides of a pair penetrate; the text gives the ratio. Pressures may
+    /// oscillate from step to step: take smaller steps, or fewer cycles (`fmc_context_set_wear_cycles`).
     FMC_WARNING_LARGE_WEAR = 14,
 }
 

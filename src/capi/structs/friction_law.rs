@@ -8,8 +8,8 @@ use crate::contact::{FrictionFacets, FrictionLaw, FrictionResponse, LawFailure};
 use crate::overlap::Partner;
 use std::ffi::c_void;
 
-/// The facets of a pair at which a law of friction of the host is asked, of both sides, as far as they bear. All numbers of a facet follow one
-/// another. Nothing of it may be written, or read after the call.
+/// The facets of a pair for which the library calls a law of friction of the host: all facets under pressure, of both sides. All numbers of
+/// a facet follow one another. The host must not write to it, or read it after the call.
 ///
 /// New fields take the place of reserved ones; the size of the struct does not change.
 #[repr(C)]
@@ -23,15 +23,15 @@ pub struct fmc_friction_facets {
     pub dim: usize,
     /// Numbers of the history of a facet.
     pub history_count: usize,
-    /// The pair: index of a body, and of what it touches; 0 and 1 in `fmc_friction_law_check`.
+    /// The pair: index of a body, and index of its partner; 0 and 1 in `fmc_friction_law_check`.
     pub body: usize,
     /// See `body`.
     pub partner: usize,
-    /// `fmc_partner`: the partner is a body, then not before `body`, or an obstacle.
+    /// `fmc_partner`: the partner is a body, whose index is at least `body`, or an obstacle.
     pub partner_kind: i32,
     /// Zero.
     pub unused: i32,
-    /// How long the step takes (`fmc_context_set_time_step`); 0: nothing was said.
+    /// Duration of the step (`fmc_context_set_time_step`); 0: not set.
     pub time_step: f64,
     /// Stiffness k_T of the stick, a pressure by length; 0: friction without memory.
     pub stiffness: f64,
@@ -39,18 +39,18 @@ pub struct fmc_friction_facets {
     pub facet: *const usize,
     /// Mean pressures over the area in contact, positive, (count).
     pub pressure: *const f64,
-    /// Lengths, (count, dim - 1): how far `body` has slipped against `partner` since the step began, along the axes, elastic or not.
+    /// Lengths, (count, dim - 1): slip of `body` against `partner` since the step began, along the axes, including its elastic part.
     pub slip: *const f64,
-    /// Lengths, (count, dim - 1): the elastic slip if nothing slid in the step. Where its length times `stiffness` is beyond the limit, the facet
-    /// slides by the rest.
+    /// Lengths, (count, dim - 1): trial elastic slip, as if no facet slid in the step. Where its length times `stiffness` exceeds the
+    /// limit, the facet slides by the rest.
     pub trial: *const f64,
-    /// Axes in space, by rows, (count, dim - 1, dim), of length 1. In 2D the normal, out of `body`, turned by +90 degrees. In 3D the first is the
-    /// x axis projected into the facet (the z axis, where the normal is within 6 degrees of x); the second is normal x first. They do not turn
-    /// along with the material.
+    /// Tangential unit axes, by rows, (count, dim - 1, dim). In 2D the normal, out of `body`, turned by +90 degrees. In 3D the first is the
+    /// x axis projected into the facet (the z axis, where the normal is within 6 degrees of x); the second is normal x first. They do not
+    /// turn along with the material.
     pub axes: *const f64,
     /// Where the tractions act, (count, dim).
     pub position: *const f64,
-    /// Areas for which the facets stand, (count): where two bodies meet, each side has half of the area in contact.
+    /// Tributary areas of the facets, (count): where two bodies meet, each side has half of the area in contact.
     pub area: *const f64,
     /// (count, history_count), as it was accepted last (`fmc_context_commit_step`); 0 at the first touch.
     pub history: *const f64,
@@ -62,7 +62,7 @@ pub struct fmc_friction_facets {
     pub reserved: [u64; 4],
 }
 
-/// Where a law of friction of the host writes what it answers.
+/// Output of a law of friction of the host.
 ///
 /// New fields take the place of reserved ones; the size of the struct does not change.
 #[repr(C)]
@@ -70,13 +70,14 @@ pub struct fmc_friction_facets {
 pub struct fmc_friction_response {
     /// Size of this struct, as the library wrote it.
     pub struct_size: usize,
-    /// Tractions at which the facets slide, force by area, at least 0, (count). An entry that is left unwritten counts as not finite.
+    /// Tractions at which the facets slide, force by area, at least 0, (count). An unwritten entry counts as not finite.
     pub limit: *mut f64,
-    /// Their derivatives by the pressure, with slip, history and time step held, (count). An entry that is left unwritten counts as not finite.
+    /// Their derivatives by the pressure, with slip, history and time step held, (count). An unwritten entry counts as not finite.
     pub by_pressure: *mut f64,
     /// Their derivatives by the slip, the trial going along with it, (count, dim - 1). 0 at first.
     pub by_slip: *mut f64,
-    /// The history as it would be after a step that ends here, (count, history_count). At first it is what it was.
+    /// The history as it would be after a step that ends here, (count, history_count). It is preset to the history at
+    /// the start of the step.
     pub history: *mut f64,
     /// Zero.
     pub reserved: [u64; 4],
@@ -84,10 +85,10 @@ pub struct fmc_friction_response {
 
 /// A law of friction of the host: writes the limits of all facets of a pair in `response`. `user` is the pointer given with it.
 ///
-/// Return 0; any other value makes the call of the library fail with `FMC_ERROR_INTERFACE_LAW`, naming facet i of the call for the value i + 1.
-/// It is called on the thread that evaluates, never from two threads at once, one pair after the other, ascending; where ranks share the work on
-/// every rank for all facets. The same input must have the same answer, bit by bit. It must not call a function of the same context (it would
-/// get `FMC_ERROR_BUSY`), throw, or jump out.
+/// Return 0; any other value makes the call of the library fail with `FMC_ERROR_INTERFACE_LAW`, naming facet i of the call for the value i
+/// + 1. It is called on the thread that evaluates, never from two threads at once. Pairs follow one another in ascending order. Where ranks
+/// share the work, it is called on every rank with all facets. The same input must have a bit-for-bit identical answer. It must not call a
+/// function of the same context (it would get `FMC_ERROR_BUSY`), throw, or jump out.
 pub type fmc_limit_friction = Option<
     unsafe extern "C" fn(
         user: *mut c_void,
@@ -104,9 +105,9 @@ pub type fmc_limit_friction = Option<
 pub struct fmc_friction_law {
     /// Set by `fmc_friction_law_init`, so that a struct that was not initialised is recognised.
     pub struct_size: usize,
-    /// How many numbers a facet carries from step to step for each of those that it faces. Default 0.
+    /// Numbers that a facet carries from step to step for each partner that it faces. Default 0.
     pub history_count: usize,
-    /// The law. It and `user` must outlive the context, or the pair's options, if others are set before.
+    /// The law. It and `user` must outlive the context, or be replaced before by other options of the pair.
     pub limit: fmc_limit_friction,
     /// Passed to `limit`.
     pub user: *mut c_void,

@@ -20,7 +20,7 @@ pub struct fmc_gap_constraint {
     pub node: i64,
     /// Its body, an index for `fmc_context_body_resultant`.
     pub body: usize,
-    /// What the partner is: a value of `fmc_partner`.
+    /// Kind of the partner: a value of `fmc_partner`.
     pub partner_kind: i32,
     /// Zero.
     pub reserved_flags: i32,

@@ -10,15 +10,15 @@ pub enum fmc_law {
     /// w = k V^m for every overlapping pair; k is `stiffness`, m is `exponent`. Key value "volume".
     FMC_LAW_VOLUME = 0,
     /// w = sum of psi(L) over lines along the mean normal of the contact, L being the penetration on each. Without
-    /// `smoothing_length`, psi = k L^2 / 2, the pressure k L, and k, the `stiffness`, is a pressure per length; with a
-    /// smoothing length s, psi = k (sqrt(L^2 + s^2) - s), and k is a pressure as for "volume" with exponent 1. Key value
-    /// "fiber".
+    /// `smoothing_length`, psi = k L^2 / 2, the pressure is k L, and k, the `stiffness`, is a pressure per length. With
+    /// a smoothing length s, psi = k (sqrt(L^2 + s^2) - s), and k is a pressure as for "volume" with exponent 1. Key
+    /// value "fiber".
     FMC_LAW_FIBER = 1,
-    /// w = k/2 times the integral over the overlap of g_A + g_B, the depths of both bodies' material below their own
-    /// surfaces; against an obstacle k times that of the depth below its surface. Flat faces press with k times their
-    /// penetration, as with "fiber", and k is a pressure per length; but there are no directions and no patches, and
-    /// the energy has no step wherever corners, edges and whole bodies go. Bodies need cells. It is measured
-    /// without lines under every estimator. Key value "depth".
+    /// w = k/2 times the integral of g_A + g_B over the overlap, where g_A and g_B are the depths of both bodies'
+    /// material below their surfaces. Against an obstacle w is k times the integral of the depth below its surface.
+    /// Flat faces press with k times their penetration, as with "fiber", and k is a pressure per length. There are no
+    /// directions and no patches, and the energy is continuous for any motion of corners, edges and whole bodies.
+    /// Bodies need cells. It is measured without lines under every estimator. Key value "depth".
     FMC_LAW_DEPTH = 2,
 }
 

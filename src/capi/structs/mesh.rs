@@ -7,8 +7,8 @@ use crate::capi::structs::options::fmc_options;
 use crate::{Bodies, CellBlock, CellType, Error, Surface};
 use std::ffi::c_void;
 
-/// Type of a cell. The numbers are those of VTK, and so is the node order, but for `FMC_WEDGE6`. Cells of the mirrored order
-/// are taken too: what is outside follows from the volume of the body.
+/// Type of a cell. Numbers and node order are as in VTK, except for `FMC_WEDGE6`. Cells of the mirrored order are accepted
+/// too: the outward side follows from the volume of the body.
 #[repr(C)]
 pub enum fmc_cell_type {
     /// Triangle, 2D, 3 nodes.
@@ -33,8 +33,8 @@ pub enum fmc_cell_type {
     FMC_TET10 = 24,
     /// Hexahedron of second order, 3D, 20 nodes: the corners, then the middles of 01, 12, 23, 30, 45, 56, 67, 74, 04, 15, 26, 37.
     FMC_HEX20 = 25,
-    /// Wedge of second order, 3D, 15 nodes: the corners as those of `FMC_WEDGE6`, then the middles of 01, 12, 20, 34, 45, 53, 03,
-    /// 14, 25.
+    /// Wedge of second order, 3D, 15 nodes: the corners as in `FMC_WEDGE6`, then the middles of 01, 12, 20, 34, 45, 53, 03, 14,
+    /// 25.
     FMC_WEDGE15 = 26,
     /// Pyramid of second order, 3D, 13 nodes: the corners, then the middles of 01, 12, 23, 30, 04, 14, 24, 34.
     FMC_PYRAMID13 = 27,
@@ -46,8 +46,8 @@ pub enum fmc_cell_type {
 
 /// Cells of one type; a mixed mesh has a block for each.
 ///
-/// A cell may name nodes repeatedly, as a hexahedron of which an edge or a face has become a point: it is the wedge, pyramid,
-/// tetrahedron or triangle that its faces make it, also of second order. Cells and faces count as given.
+/// A cell may name nodes repeatedly, for example a hexahedron with an edge or a face collapsed to a point. It then is the
+/// wedge, pyramid, tetrahedron or triangle that its faces form, also of second order. Cells and faces count as given.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct fmc_cell_block {

@@ -7,7 +7,7 @@ use crate::capi::boundary::status::fmc_status::{FMC_ERROR_NODE_OUT_OF_RANGE, FMC
 use crate::contact::{Augmentation, Multiplier};
 use crate::overlap::Partner;
 
-/// What `fmc_context_augment` says of the coordinates that it was called with.
+/// Results of `fmc_context_augment`, at the coordinates of its call.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct fmc_augmentation {
@@ -15,11 +15,11 @@ pub struct fmc_augmentation {
     pub struct_size: usize,
     /// Largest mean penetration of a node over its part of the surface, of the side of each pair that has the multipliers.
     pub penetration: f64,
-    /// Largest change of a multiplier, by the law's stiffness: how far a node that is pressed is from the partner, inside or outside.
+    /// Largest change of a multiplier / stiffness of the law: distance of a pressed node from the partner, inside or outside.
     pub change: f64,
     /// Number of multipliers, for `fmc_context_multipliers`.
     pub multiplier_count: usize,
-    /// Whether both are no more than the tolerance: the multipliers have then stayed.
+    /// Whether both are within the tolerance: the multipliers are then unchanged.
     pub is_converged: i32,
     /// Zero.
     pub reserved_flags: i32,
@@ -27,7 +27,7 @@ pub struct fmc_augmentation {
     pub reserved: [u64; 4],
 }
 
-/// How far a surface is moved out at a node, against one partner.
+/// Multiplier of a node: by how far its surface is shifted towards one partner.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct fmc_multiplier {
@@ -38,13 +38,13 @@ pub struct fmc_multiplier {
     pub node: i64,
     /// Its body, an index for `fmc_context_body_resultant`.
     pub body: usize,
-    /// What the partner is: a value of `fmc_partner`.
+    /// Kind of the partner: a value of `fmc_partner`.
     pub partner_kind: i32,
     /// Zero.
     pub reserved_flags: i32,
     /// Index of the partner for `fmc_context_body_resultant` or `fmc_context_obstacle_resultant`.
     pub partner: usize,
-    /// How far, a positive length; by the law's stiffness the pressure without penetration.
+    /// Shift, a positive length; times the law's stiffness it is the pressure without penetration.
     pub shift: f64,
     /// Unit vector towards the partner; in 2D the last is 0.
     pub towards: [f64; 3],

@@ -22,8 +22,8 @@ pub enum fmc_estimator {
 pub enum fmc_pattern {
     /// Families of parallel lines. Key value "lines".
     FMC_PATTERN_LINES = 0,
-    /// Short segments of random place and direction, as in the paper; the variance of the force is infinite. Key value
-    /// "isotropic".
+    /// Short segments of random place and direction, as published (doi:10.1016/j.cma.2025.118645); the variance of the
+    /// force is infinite. Key value "isotropic".
     FMC_PATTERN_ISOTROPIC = 1,
 }
 
@@ -79,19 +79,19 @@ pub struct fmc_options {
     pub check_cells: i32,
     /// Number of threads, at least 1, the default. The result does not depend on it.
     pub threads: i32,
-    /// What nodes, cells, facets, degrees of freedom, rows and columns count from, 0 or 1, in all that goes in and comes out, and in
-    /// messages. Default 0. Bodies, obstacles, pairs and warnings count from 0.
+    /// First number of nodes, cells, facets, degrees of freedom, rows and columns, 0 or 1, in input, output and messages. Default 0.
+    /// Bodies, obstacles, pairs and warnings count from 0.
     pub index_base: i32,
-    /// 1: axisymmetry, in 2D. Coordinates are (r, z) with r >= 0, and volumes, areas, energies and forces are those of
-    /// whole rings: everything counts 2 pi r. Default 0. Not with isotropic fibers.
+    /// 1: axisymmetry, in 2D. Coordinates are (r, z) with r >= 0, and volumes, areas, energies and forces refer to
+    /// whole rings: integrals have the factor 2 pi r. Default 0. Not with isotropic fibers.
     pub axisymmetric: i32,
     /// Smoothing length of the law "fiber", over which the pressure grows to k; 0, the default: the quadratic law. Refused
     /// with any other law.
     pub smoothing_length: f64,
-    /// Coefficient of Coulomb friction of all pairs that have none of their own, at least 0; infinite: nothing slides where it presses, but by
-    /// `shear_limit`, and not with `memoryless_slip`. Default 0: no friction. With
-    /// it, steps are begun and committed, see `fmc_context_begin_step`, and the tangent is unsymmetric. With the law
-    /// "volume" not without `friction_stiffness` or `memoryless_slip`.
+    /// Coefficient of Coulomb friction of all pairs without a separate one, at least 0. Infinite: facets under pressure never slide, unless
+    /// `shear_limit` lets them; not with `memoryless_slip`. Default 0: no friction. With it, steps are begun and committed, see
+    /// `fmc_context_begin_step`, and the tangent is unsymmetric. With the law "volume" not without `friction_stiffness` or
+    /// `memoryless_slip`.
     pub friction_coefficient: f64,
     /// Tangential stiffness of the stick, a pressure per length; 0, the default: the stiffness of the law at a first touch.
     pub friction_stiffness: f64,
@@ -99,20 +99,20 @@ pub struct fmc_options {
     pub cohesion: f64,
     /// Largest shear traction, a pressure; 0, the default: no limit.
     pub shear_limit: f64,
-    /// Slip of a step from which on friction without memory acts in full: a speed times the time step, say. Smooth, and nothing
-    /// is carried from one step to the next, so that what should stick creeps. 0, the default: friction with memory. Not
+    /// Slip of a step from which on friction without memory acts in full: a speed times the time step, say. This law is smooth
+    /// and carries nothing from one step to the next, so that sticking facets creep. 0, the default: friction with memory. Not
     /// together with `friction_stiffness`.
     pub memoryless_slip: f64,
-    /// Coefficient of friction of what rests, at least `friction_coefficient`, to which it falls over `weakening_slip`; 0, the default: one
+    /// Static coefficient of friction, at least `friction_coefficient`, to which it falls over `weakening_slip`; 0, the default: one
     /// coefficient. A facet that sticks throughout a step rests. Not together with `memoryless_slip`.
     pub static_coefficient: f64,
-    /// Slip over which the coefficient falls from that at rest to that of what slides, in proportion, a length; positive with
+    /// Slip over which the coefficient falls linearly from the static to the kinetic one, a length; positive with
     /// `static_coefficient`, else 0, the default.
     pub weakening_slip: f64,
-    /// Distance within which nodes of one body are taken as one for contact, at least 0, a length, for meshes whose nodes were not merged; it
-    /// holds from `fmc_context_new_from_cells` or `fmc_contact_force` on and is not changed later. A node that others are one with lies in
-    /// their mean, and each has an equal part of its force. Smaller than every edge. Without `body_ids` parts that are welded become one
-    /// body. 0, the default: every node is one of its own. Refused for bodies given by facets, and for meshes in parts.
+    /// Distance within which contact treats nodes of one body as one node, at least 0, a length, for meshes whose nodes were not merged. It
+    /// is read by `fmc_context_new_from_cells` and `fmc_contact_force` and cannot be changed later. A welded node lies in the mean of its
+    /// nodes, and each of them has an equal part of its force. Smaller than every edge. Without `body_ids` parts that are welded become one
+    /// body. 0, the default: no nodes are welded. Refused for bodies given by facets, and for meshes in parts.
     pub weld: f64,
     /// Zero. Room for options of later versions.
     pub reserved: [u64; 7],

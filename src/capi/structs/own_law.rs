@@ -6,8 +6,8 @@ use crate::capi::boundary::status::fmc_status::{FMC_ERROR_BAD_VALUE, FMC_ERROR_N
 use crate::contact::{InterfaceLaw, LawFailure, LawPoints, LawResponse};
 use std::ffi::c_void;
 
-/// The points of a pair at which a law of the host is asked. All numbers of a point follow one another. Nothing of it may be written, or read
-/// after the call.
+/// The points of a pair at which the library calls a law of the host. All numbers of a point follow one another. The host must not write to
+/// it, or read it after the call.
 ///
 /// New fields take the place of reserved ones; the size of the struct does not change.
 #[repr(C)]
@@ -25,32 +25,32 @@ pub struct fmc_law_points {
     pub body: usize,
     /// See `body`.
     pub partner: usize,
-    /// How long the step takes (`fmc_context_set_time_step`); 0: nothing was said.
+    /// Duration of the step (`fmc_context_set_time_step`); 0: not set.
     pub time_step: f64,
-    /// Lengths, (count, dim): the opening beyond the gap at first, along the normal of `partner`, negative where the bodies are pressed; then
-    /// how far `body` has slid along the axes in the plane of the facet of `partner`.
+    /// Lengths, (count, dim): the opening beyond the initial gap, along the normal of `partner`, negative in compression; then the slip of
+    /// `body` along the axes in the plane of the facet of `partner`.
     pub jump: *const f64,
-    /// Normal of `partner` and axes in space, by rows, (count, dim, dim), of length 1 and perpendicular to one another. In 2D the axis is the
-    /// normal turned by +90 degrees. In 3D the first is the x axis projected into the undeformed facet (the z axis, where the normal is within
-    /// 0.1 degrees of x), which goes along with the facet; the second is normal x first.
+    /// Normal of `partner` and tangential axes, by rows, (count, dim, dim), orthonormal. In 2D the axis is the normal turned by +90
+    /// degrees. In 3D the first is the x axis projected into the undeformed facet (the z axis, where the normal is within 0.1 degrees of
+    /// x), which moves along with the facet. The second is normal x first.
     pub axes: *const f64,
     /// Where the points are on `body`, (count, dim).
     pub position: *const f64,
     /// The same without deformation.
     pub reference: *const f64,
-    /// Areas that the points stand for, without deformation, (count).
+    /// Tributary areas of the points, without deformation, (count).
     pub area: *const f64,
     /// (count, history_count), as it was accepted last (`fmc_context_commit_step`); 0 at first.
     pub history: *const f64,
     /// Number of fields (`fmc_context_set_law_fields`).
     pub field_count: usize,
-    /// Fields at the point of `body`, then at that of `partner`, (count, 2, field_count).
+    /// Fields at the point of `body`, then at the point of `partner`, (count, 2, field_count).
     pub fields: *const f64,
     /// Zero.
     pub reserved: [u64; 4],
 }
 
-/// Where a law of the host writes what it answers.
+/// Output of a law of the host.
 ///
 /// New fields take the place of reserved ones; the size of the struct does not change.
 #[repr(C)]
@@ -58,15 +58,16 @@ pub struct fmc_law_points {
 pub struct fmc_law_response {
     /// Size of this struct, as the library wrote it.
     pub struct_size: usize,
-    /// Force by area without deformation along the axes, (count, dim): positive where it resists a positive jump. An entry that is left
-    /// unwritten counts as not finite.
+    /// Force by area without deformation along the axes, (count, dim): positive where it resists a positive jump. An unwritten entry
+    /// counts as not finite.
     pub traction: *mut f64,
-    /// Its derivative by the jump, with history and time step held, (count, dim, dim), row by row: entry (i, j) is that of traction i by jump j.
-    /// It need not be symmetric. An entry that is left unwritten counts as not finite.
+    /// Its derivative by the jump, with history and time step held, (count, dim, dim), row by row: entry (i, j) is the derivative of
+    /// traction i by jump j. It need not be symmetric. An unwritten entry counts as not finite.
     pub tangent: *mut f64,
-    /// The history as it would be after a step that ends here, (count, history_count). At first it is what it was.
+    /// The history as it would be after a step that ends here, (count, history_count). It is preset to the history at
+    /// the start of the step.
     pub history: *mut f64,
-    /// Energy by area that unloading would give back, (count); 0 at first. Nothing but what is told of energies depends on it.
+    /// Energy by area that unloading would give back, (count); 0 at first. Only reported energies depend on it.
     pub stored: *mut f64,
     /// The same that has been dissipated since the beginning.
     pub dissipated: *mut f64,
@@ -76,10 +77,11 @@ pub struct fmc_law_response {
 
 /// A law of the host: writes tractions, tangents and history at all points of a pair in `response`. `user` is the pointer given with it.
 ///
-/// Return 0; any other value makes the call of the library fail with `FMC_ERROR_INTERFACE_LAW`, naming point i of the pair for the value i + 1.
-/// It is called on the thread that evaluates, never from two threads at once, one pair after the other, ascending, with the points in the order
-/// of `fmc_context_law_points`; where ranks share the work on every rank at all points. The same input must have the same answer, bit by bit.
-/// It must not call a function of the same context (it would get `FMC_ERROR_BUSY`), throw, or jump out.
+/// Return 0; any other value makes the call of the library fail with `FMC_ERROR_INTERFACE_LAW`, naming point i of the pair for the value i
+/// + 1. It is called on the thread that evaluates, never from two threads at once. Pairs follow one another in ascending order, with the
+/// points in the order of `fmc_context_law_points`. Where ranks share the work, it is called on every rank with all points. The same input
+/// must have a bit-for-bit identical answer. It must not call a function of the same context (it would get `FMC_ERROR_BUSY`), throw, or
+/// jump out.
 pub type fmc_respond = Option<
     unsafe extern "C" fn(user: *mut c_void, at: *const fmc_law_points, response: *const fmc_law_response) -> i32,
 >;
@@ -92,9 +94,9 @@ pub type fmc_respond = Option<
 pub struct fmc_own_law {
     /// Set by `fmc_own_law_init`, so that a struct that was not initialised is recognised.
     pub struct_size: usize,
-    /// How many numbers a point carries from step to step. Default 0.
+    /// Numbers that a point carries from step to step. Default 0.
     pub history_count: usize,
-    /// The law. It and `user` must outlive the context, or the pair's options, if others are set before.
+    /// The law. It and `user` must outlive the context, or be replaced before by other options of the pair.
     pub respond: fmc_respond,
     /// Passed to `respond`.
     pub user: *mut c_void,

@@ -3,10 +3,11 @@
 use crate::Error;
 use std::ffi::c_void;
 
-/// Puts the nodes where they are at a displacement of the degrees of freedom on the list of `fmc_context_contact_step`.
+/// Places the nodes for a displacement of the degrees of freedom on the list of `fmc_context_contact_step`.
 ///
-/// Read `displacement`, (n). `coords` are dense rows, one for every node, those of the start with the displacement added on
-/// the list: move the nodes that follow, and none of the list. `user` is the pointer given with the function.
+/// Read `displacement`, (n). `coords` are dense rows, one for every node: the coordinates of the start, with the
+/// displacement added on the list. Move the nodes that follow, and none on the list. `user` is the pointer given with the
+/// function.
 ///
 /// Return 0; any other value makes the step fail with `FMC_ERROR_PLACE`. It is called on the thread that asked for the step. It must
 /// not call a function of the same context (it would get `FMC_ERROR_BUSY`), throw, or jump out.

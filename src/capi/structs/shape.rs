@@ -18,8 +18,8 @@ use std::sync::Arc;
 /// How deep compounds may lie in one another: a part that leads back to its compound must end somewhere.
 const NESTED: usize = 8;
 
-/// A rigid shape in its own frame, as data. `fmc_shape_init` sets all fields; then set those that its kind has, as
-/// `fmc_shape_kind` says. Others are not read.
+/// A rigid shape in its own frame, as data. `fmc_shape_init` sets all fields; then set the fields that `fmc_shape_kind`
+/// lists for its kind. Other fields are not read.
 ///
 /// New fields take the place of reserved ones; the size of the struct does not change.
 #[repr(C)]
@@ -52,8 +52,9 @@ pub struct fmc_shape {
     pub lengths: [f64; 2],
     /// How far below the lowest height the flat bottom of the solid lies; its walls are vertical.
     pub thickness: f64,
-    /// `fmc_part`s of a compound, of any kind, which may overlap. Its signed distance is the least of those of its parts: exact
-    /// outside, and inside a single part; where parts overlap, the depth of a point is its largest depth in any part.
+    /// `fmc_part`s of a compound, of any kind, which may overlap. Its signed distance is the least signed distance of its
+    /// parts: exact outside, and inside a single part; where parts overlap, the depth of a point is its largest depth in any
+    /// part.
     pub parts: *const c_void,
     /// Number of parts.
     pub part_count: usize,

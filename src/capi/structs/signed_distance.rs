@@ -5,9 +5,9 @@ use std::ffi::c_void;
 
 /// Signed distance of a body in the obstacle's own frame, for `n` points at once.
 ///
-/// Read `x`, (n, dim) rows. Write `phi`, (n): negative inside, positive outside, with slope of at most 1.
-/// Write `grad`, (n, dim) rows: its gradient, of any length; where phi = 0 it gives the outward normal. An entry left
-/// unwritten counts as not finite. `user` is the pointer of the same name in the shape.
+/// Read `x`, (n, dim) rows. Write `phi`, (n): negative inside, positive outside, with slope of at most 1. Write `grad`,
+/// (n, dim) rows: its gradient, of any length; where phi = 0 it gives the outward normal. An unwritten entry counts as
+/// not finite. `user` is the pointer of the same name in the shape.
 ///
 /// Return 0; any other value makes the evaluation fail with `FMC_ERROR_SIGNED_DISTANCE`, naming point i of the batch
 /// for the value i + 1. It is called on the thread that evaluates, never from two threads at once. It must not call a

@@ -34,7 +34,7 @@ pub struct fmc_coords {
 pub struct fmc_forces {
     /// First component of the first node.
     pub data: *mut f64,
-    /// Number of nodes that it has room for, at least that of the mesh; if 0, `data` may be NULL.
+    /// Number of nodes that fit into it, at least as many as the mesh has; if 0, `data` may be NULL.
     pub node_count: usize,
     /// From one node to the next.
     pub node_stride: isize,

@@ -10,8 +10,8 @@ use crate::capi::context::state::{evaluated, fmc_context};
 use crate::capi::structs::evaluation::fmc_result;
 use crate::capi::structs::view::{fmc_coords, fmc_forces};
 
-/// Flag of `fmc_context_evaluate` and `fmc_context_evaluate_tangent`: add the forces to what the host's array holds
-/// instead of overwriting it.
+/// Flag of `fmc_context_evaluate` and `fmc_context_evaluate_tangent`: add the forces to the host's array instead of
+/// overwriting it.
 pub const FMC_EVALUATE_ADD: u32 = 1;
 
 /// Contact forces at `coords`, the current coordinates of all nodes of the mesh.
@@ -21,7 +21,7 @@ pub const FMC_EVALUATE_ADD: u32 = 1;
 /// Nodes that are not in contact get 0. `result`, which may be NULL too, receives the overlap volume and the other
 /// totals; forces per body, pairs and warnings are kept in the context until the next evaluation that succeeds.
 ///
-/// Both are written only on success. The arrays may overlap one another. Units are those of `fmc_result`.
+/// Both are written only on success. The arrays may overlap one another. Units as in `fmc_result`.
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_LENGTH`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_STRIDE`,
 /// `FMC_ERROR_NON_FINITE_COORDINATE`, `FMC_ERROR_INVERTED_CELL`, `FMC_ERROR_ZERO_MEASURE`, `FMC_ERROR_UNSUPPORTED`,

@@ -9,16 +9,15 @@ use crate::capi::context::state::{fmc_context, write};
 use crate::capi::structs::csr::fmc_csr;
 use crate::{Basis, Error};
 
-/// Has the nodes of the mesh moved by unknowns of the host: control points of splines, coefficients of hierarchical shape
-/// functions, nodes of another mesh. `weights` has a row for every node of the mesh, and a column for every unknown: node n lies at
-/// the sum over the entries of its row of the value times the coordinates of the unknown. It counts as it says itself, whatever the
-/// context's `index_base`.
+/// Lets unknowns of the host move the nodes of the mesh: control points of splines, coefficients of hierarchical shape functions,
+/// nodes of another mesh. `weights` has a row for every node of the mesh, and a column for every unknown: node n lies at the sum of
+/// value times coordinates of the unknown, over the entries of its row. Rows and columns count from the `index_base` of `weights`,
+/// whatever the context's.
 ///
-/// From then on every `fmc_coords` and `fmc_forces` has `unknown_count` rows, tangents and the columns of gap gradients are
-/// those of unknowns, and so are masses and the columns of `fmc_context_point_weights`. The mesh and its coordinates without
-/// deformation stay, and so do the nodes of `fmc_context_nodal_contact` and `fmc_context_set_symmetry_nodes`. A pattern that
-/// is kept (`fmc_context_keep_pattern`) is released.
-/// `weights` NULL: nodes move by themselves again.
+/// From then on every `fmc_coords` and `fmc_forces` has `unknown_count` rows. Tangents, masses, and the columns of gap
+/// gradients and of `fmc_context_point_weights` refer to unknowns. The mesh and its coordinates without deformation stay,
+/// and so do the nodes of `fmc_context_nodal_contact` and `fmc_context_set_symmetry_nodes`. A kept pattern
+/// (`fmc_context_keep_pattern`) is released. `weights` NULL: the unknowns are again the positions of the nodes.
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_STRUCT_SIZE`, `FMC_ERROR_RESERVED_FIELD`, `FMC_ERROR_INDEX_SIZE`,
 /// `FMC_ERROR_LENGTH` for another number of rows and for offsets that descend, `FMC_ERROR_INDEX_OUT_OF_RANGE` for an unknown that

@@ -9,7 +9,7 @@ use crate::capi::structs::boundary_facet::fmc_boundary_facet;
 
 /// The boundary facets in the order in which `fmc_context_slip` has them, body after body.
 ///
-/// `count` becomes their number; `facets` has room for `capacity`. NULL with capacity 0: the number alone is asked for.
+/// `count` becomes their number; `facets` has room for `capacity`. NULL with capacity 0: only the number is returned.
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_BUSY`; nothing is written then. Threads: several at
 /// once on one context, as long as no call changes it.

@@ -16,8 +16,8 @@ use crate::capi::structs::view::fmc_coords;
 use crate::{Error, FacetBlock, FacetType, Surface};
 use std::ffi::c_void;
 
-/// Type of a facet of a surface. The numbers are those of VTK, and so is the node order. An edge has the body on its left; the
-/// corners of a triangle or quadrilateral run counter-clockwise seen from outside.
+/// Type of a facet of a surface. Numbers and node order are as in VTK. An edge has the body on its left; the corners of a
+/// triangle or quadrilateral run counter-clockwise seen from outside.
 #[repr(C)]
 pub enum fmc_facet_type {
     /// Edge, 2D, 2 nodes.
@@ -126,11 +126,11 @@ where
 /// Makes a context from a surface: the boundary facets of closed bodies, of any types of `fmc_facet_type`, in one block for each type.
 ///
 /// An edge has its body on the left, other facets run counter-clockwise seen from outside. Facets of second order are measured as the
-/// faces of cells of second order are, and give the same forces. In space a straight edge and one with a node in its middle do not
-/// fit. `body_ids`, one for every facet counted over the blocks, as wide as node numbers, may be NULL: bodies are the connected
+/// faces of cells of second order are, and give the same forces. In 3D an edge with a mid-side node does not conform to a straight
+/// edge. `body_ids`, one for every facet counted over the blocks, as wide as node numbers, may be NULL: bodies are the connected
 /// components by nodes. Otherwise as `fmc_context_new_from_cells`; also `FMC_ERROR_OPEN_SURFACE`,
 /// `FMC_ERROR_INCONSISTENT_ORIENTATION`, `FMC_ERROR_INVERTED_SURFACE`, `FMC_ERROR_NON_CONFORMING`, and `FMC_ERROR_INVERTED_CELL` for a
-/// facet a part of which faces away from the whole: a node in the middle of an edge nearer than an eighth of the edge to an end of it,
+/// facet of which a part faces the other way. A mid-side node too near to a corner causes this: nearer than an eighth of the edge,
 /// along the edge.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_new_from_facets(

@@ -19,8 +19,8 @@ use std::ffi::c_void;
 /// columns are unknowns, and rows add up to what those of the basis do.
 ///
 /// There are at least as many points as nodes; numbers change with a basis only. `offset_count` becomes the number of offsets, one
-/// more than there are points, and `count` that of entries. `row_offsets` has room for `offset_capacity`, `nodes` and `weights` for
-/// `capacity`. An array that is NULL with capacity 0 is not written: its number alone is asked for.
+/// more than there are points, and `count` the number of entries. `row_offsets` has room for `offset_capacity`, `nodes` and
+/// `weights` for `capacity`. An array that is NULL with capacity 0 is not written: only its number is returned.
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_BUSY`; nothing is written then. Threads:
 /// several at once on one context, as long as no call changes it.

@@ -8,8 +8,8 @@ use crate::capi::context::state::{fmc_context, write};
 use crate::capi::structs::view::fmc_coords;
 use std::ffi::c_void;
 
-/// Sets the coordinates of all nodes without deformation, from which the law "depth" has its depths; those at which the
-/// context was created are the default.
+/// Sets the coordinates of all nodes without deformation, from which the law "depth" measures its depths. By default
+/// they are the coordinates at which the context was created.
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_UNSUPPORTED` for a surface without cells, `FMC_ERROR_LENGTH`,
 /// `FMC_ERROR_NON_FINITE_COORDINATE`, `FMC_ERROR_INVERTED_CELL`, `FMC_ERROR_ZERO_MEASURE`; the old coordinates then stay. Threads:
@@ -27,13 +27,13 @@ pub unsafe extern "C" fn fmc_context_set_reference(context: *mut fmc_context, co
     })
 }
 
-/// Says where `count` planes of symmetry are: `points` and `normals` are dense rows of `dim` numbers, a point in each plane and a vector
-/// across it, of any length. For the law "depth" a face without deformation in one of them is no surface, since the body goes on behind
-/// it. The host holds the nodes of such faces in their plane. Replaces what was said before, by planes or by nodes; `count` 0: all of the
-/// surface is surface, and flush faces are not warned of. With a mesh in parts all ranks say the same.
+/// Sets `count` planes of symmetry: `points` and `normals` are dense rows of `dim` numbers, a point in each plane and its normal, of any
+/// length. For the law "depth" a face without deformation in one of them is no surface, since the body continues behind it. The host
+/// holds the nodes of such faces in their plane. Replaces earlier planes and nodes of symmetry; `count` 0: there is no symmetry, and
+/// flush faces cause no warning. With a mesh in parts all ranks pass the same planes.
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NOT_POSITIVE` for a normal without length, `FMC_ERROR_UNSUPPORTED` for a body
-/// that would have no surface left; what was said before then stays. Threads: one call at a time on a context.
+/// that would have no surface left; earlier planes and nodes are then kept. Threads: one call at a time on a context.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_set_symmetry_planes(
     context: *mut fmc_context,
@@ -52,12 +52,13 @@ pub unsafe extern "C" fn fmc_context_set_symmetry_planes(
     })
 }
 
-/// Names `count` nodes, counted from the option `index_base`, that lie in planes of symmetry, as `fmc_context_set_symmetry_planes` does by planes: those
-/// in which the faces lie all of whose nodes are named, the fewest that hold all these nodes. A face of the contact surface in a corner
-/// between two planes is none. Of second order those in the middle of edges and faces are named too.
+/// Names `count` nodes, counted from the option `index_base`, that lie in planes of symmetry, instead of the planes of
+/// `fmc_context_set_symmetry_planes`. The planes are found from the faces whose nodes are all named: they are the fewest planes that hold
+/// all these nodes. A face of the contact surface in a corner between two planes does not count. With cells of second order name the nodes
+/// in the middle of edges and faces, too.
 ///
-/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NODE_OUT_OF_RANGE` naming the entry, `FMC_ERROR_UNSUPPORTED` for a body
-/// that would have no surface left, or for nodes of a curved surface; what was named before then stays. Threads: one call at a time on a context.
+/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NODE_OUT_OF_RANGE` naming the entry, `FMC_ERROR_UNSUPPORTED` for a body that would have no
+/// surface left, or for nodes of a curved surface; earlier planes and nodes are then kept. Threads: one call at a time on a context.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_set_symmetry_nodes(
     context: *mut fmc_context,
@@ -75,13 +76,13 @@ pub unsafe extern "C" fn fmc_context_set_symmetry_nodes(
     })
 }
 
-/// Has straight faces that stand for round surfaces measured as these: where faces of first order meet at less than `feature_angle`
-/// degrees, the surface between them is the smooth one whose normals at the nodes are those of the faces around each. For the law
-/// "depth" between two bodies; 0 takes faces for flat, the default. Curved faces of second order are measured as curved in any case. At
-/// a larger angle faces meet at an edge of the body: 30 is usual. A round body needs some 40 facets around it.
+/// Measures straight faces as the round surfaces that they represent: where faces of first order meet at less than `feature_angle`
+/// degrees, the surface between them is smooth. Its normal at a node follows from the faces around the node. For the law "depth"
+/// between two bodies; 0, the default: faces are flat. Curved faces of second order are measured as curved in any case. At a larger
+/// angle faces meet at an edge of the body: 30 is usual. A round body needs some 40 facets around it.
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NOT_POSITIVE` for an angle that is negative, no number, or 90 and more,
-/// `FMC_ERROR_UNSUPPORTED` for a surface without cells and for a mesh in parts; what was set before then stays. Threads: one call at a
+/// `FMC_ERROR_UNSUPPORTED` for a surface without cells and for a mesh in parts; the earlier angle is then kept. Threads: one call at a
 /// time on a context.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_set_surface_smoothing(

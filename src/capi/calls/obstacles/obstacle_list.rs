@@ -31,9 +31,9 @@ pub unsafe extern "C" fn fmc_context_obstacle_shape(
     })
 }
 
-/// Moves an obstacle, and turns and scales it: the whole pose is set, so that one of a position alone turns a ceiling into
-/// a floor. To move it only, fill the pose by `fmc_context_obstacle_shape` and change its position. Results of the last
-/// evaluation are kept.
+/// Moves an obstacle, and turns and scales it: the whole pose is set, so that a pose with only a position turns a ceiling
+/// into a floor. To move it only, fill the pose by `fmc_context_obstacle_shape` and change its position. Results of the
+/// last evaluation are kept.
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_OBSTACLE_OUT_OF_RANGE`, `FMC_ERROR_OBSTACLE_REMOVED`,
 /// `FMC_ERROR_BAD_POSE`, `FMC_ERROR_BUSY`. Threads: one call at a time on a context.
@@ -54,10 +54,10 @@ pub unsafe extern "C" fn fmc_context_set_pose(
     })
 }
 
-/// Removes an obstacle, and the options of its pairs. The others keep their indices; that of the removed one is never
-/// given again: it stays in the counts, with a resultant of zero, and its row in the tangent is empty. Results of the
-/// last evaluation are kept. Afterwards the library does not use the callback and the `user` of a signed distance any
-/// more.
+/// Removes an obstacle, and the options of its pairs. All other obstacles keep their indices, and the index of the
+/// removed one is never reused. It stays in the counts, with a resultant of zero, and its row in the tangent is empty.
+/// Results of the last evaluation are kept. Afterwards the library does not use the callback and the `user` of a signed
+/// distance any more.
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_OBSTACLE_OUT_OF_RANGE`, `FMC_ERROR_OBSTACLE_REMOVED` if it was removed
 /// before, `FMC_ERROR_BUSY`. Threads: one call at a time on a context.

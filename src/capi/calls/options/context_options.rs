@@ -33,8 +33,8 @@ pub unsafe extern "C" fn fmc_context_set_options(context: *mut fmc_context, opti
     })
 }
 
-/// The options in force: those of the creation or of the last `fmc_context_set_options`, with the stiffness that
-/// `fmc_context_stiffen` has made of theirs.
+/// The options in force, as given at creation or to the last `fmc_context_set_options`. Their stiffness includes the
+/// factors of `fmc_context_stiffen`.
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUSY`. Threads: several at once on one context, as long as no call
 /// changes it.

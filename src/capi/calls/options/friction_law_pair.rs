@@ -32,17 +32,17 @@ pub unsafe extern "C" fn fmc_friction_law_init(law: *mut fmc_friction_law) -> fm
     })
 }
 
-/// Checks a law of friction without a context: whether the same question has the same answer, each facet alone and beside others, and whether its
-/// derivatives are those of its limit, by differences to 1e-6. Corners of a law are recognised.
+/// Checks a law of friction without a context: whether the same input has the same answer, for each facet alone and among other facets. It
+/// also compares the derivatives with differences of the limit, to 1e-6. Corners of a law are recognised.
 ///
-/// It is asked at 60 pressures up to `pressure`, and slips of a step up to `slip`, a length, along every axis; differences have steps of 1e-6 of
-/// these. The history is 0, and then what other facets leave. `time_step` 0: none is said. There are no fields.
+/// It calls the law at 60 pressures up to `pressure`, and slips of a step up to `slip`, a length, along every axis; differences have steps
+/// of 1e-6 of these. The history is 0, and then the result of other facets. `time_step` 0: not set. There are no fields.
 ///
-/// `tell` may be NULL; else it gets a sentence for everything that was looked at, with level `FMC_LOG_WARNING` for what is wrong, else 0.
+/// `tell` may be NULL; else it receives a sentence for each check, with level `FMC_LOG_WARNING` for a fault, else 0.
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_STRUCT_SIZE`, `FMC_ERROR_RESERVED_FIELD`, `FMC_ERROR_BAD_VALUE` for a `history_count` above
-/// 1048576, `FMC_ERROR_DIMENSION`, `FMC_ERROR_NOT_POSITIVE`; `FMC_ERROR_INTERFACE_LAW` for a law that fails, answers what is no limit, or is
-/// wrong, with all that is wrong in the text. Threads: any.
+/// 1048576, `FMC_ERROR_DIMENSION`, `FMC_ERROR_NOT_POSITIVE`. `FMC_ERROR_INTERFACE_LAW` for a law that fails, returns an invalid limit, or
+/// is wrong; the text lists all faults. Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_friction_law_check(
     law: *const fmc_friction_law,
@@ -63,13 +63,13 @@ pub unsafe extern "C" fn fmc_friction_law_check(
     })
 }
 
-/// Sets the options of a pair as `fmc_context_set_pair_options` does, two bodies, a body and an obstacle, or a body with itself, and the law by
-/// which it slides in place of a coefficient, a cohesion and a shear limit. What the law keeps begins with zeros.
+/// Sets the options of a pair (two bodies, a body and an obstacle, or a body with itself) as `fmc_context_set_pair_options` does, and its
+/// law of sliding, which replaces coefficient, cohesion and shear limit. The history of the law begins with zeros.
 /// `fmc_context_set_pair_options` takes the law back. As with any friction the tangent is unsymmetric, and a step must have begun.
 ///
-/// Errors: those of `fmc_context_set_pair_options`; those of a law as `fmc_friction_law_check` has them before it asks; `FMC_ERROR_UNSUPPORTED`
-/// beside a coefficient of friction or a wear coefficient of the pair, another interface than contact, and for a mesh in parts. What was set before then
-/// stays. Threads: one call at a time on a context.
+/// Errors: as `fmc_context_set_pair_options`; the errors of `fmc_friction_law_check` for an invalid struct; `FMC_ERROR_UNSUPPORTED` with a
+/// coefficient of friction or a wear coefficient of the pair, with another interface than contact, and for a mesh in parts. The earlier
+/// options are then kept. Threads: one call at a time on a context.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_set_friction_law_pair(
     context: *mut fmc_context,

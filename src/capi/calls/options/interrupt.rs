@@ -7,7 +7,7 @@ use crate::capi::context::session::in_either;
 use crate::capi::context::state::{fmc_context, write};
 use std::ffi::c_void;
 
-/// Whether the call that is running is to end: 0 to go on. `user` is the pointer given with it.
+/// Returns whether to end the running call: 0 to go on. `user` is the pointer given with it.
 ///
 /// It is called on the thread that called the library. It must not call a function of the same context, throw, or jump out.
 pub type fmc_interrupt_callback = Option<unsafe extern "C" fn(user: *mut c_void) -> i32>;
@@ -32,11 +32,12 @@ impl Host {
     }
 }
 
-/// Sets a callback that is asked some twenty times a second, while a call computes, whether it is to end; NULL, the default: none.
+/// Sets a callback that the library asks some twenty times a second, during a call, whether to end the call; NULL, the default:
+/// none.
 ///
 /// A call that is ended returns `FMC_ERROR_INTERRUPTED`; the context is as it was before, and may be used on. A search for an equilibrium
-/// is refused then. The callback is asked while pairs are measured, lines laid and depths found; not within a factorisation or a contact
-/// step's linear algebra, and not while ranks share the work, which would wait for one another.
+/// is refused then. The library calls it while it measures pairs. It does not call it within a factorisation or the linear algebra of a
+/// contact step, nor while ranks share the work, since they would wait for one another.
 ///
 /// The callback and `user` must outlive the context, or be replaced before they end. Errors: `FMC_ERROR_NULL_POINTER`,
 /// `FMC_ERROR_UNSUPPORTED` for a mesh in parts, `FMC_ERROR_BUSY`. Threads: one call at a time on a context.

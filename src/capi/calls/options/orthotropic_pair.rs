@@ -14,8 +14,8 @@ use crate::contact::{OrthotropicFriction, PairOptions};
 /// `fmc_orthotropic_friction_init` sets all of it.
 ///
 /// With the coefficient of friction m1 of the pair, tractions (t1, t2) along the direction and across it lie in the ellipse
-/// sqrt((t1/m1)^2 + (t2/m2)^2) <= p. Slip is that which dissipates most: normal to the ellipse, mostly not along the traction. With a
-/// `static_coefficient` both limits are larger by the same factor.
+/// sqrt((t1/m1)^2 + (t2/m2)^2) <= p. The slip maximises the dissipation: it is normal to the ellipse, mostly not along the traction.
+/// With a `static_coefficient` both limits are larger by the same factor.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct fmc_orthotropic_friction {
@@ -23,11 +23,11 @@ pub struct fmc_orthotropic_friction {
     pub struct_size: usize,
     /// Coefficient m2 across the direction, at least 0 and finite. Default 0.
     pub transverse_coefficient: f64,
-    /// The direction, of any length but 0 and of either sign: that of a body without deformation, that of an obstacle in its own frame. It is
-    /// projected into the plane of each facet there, and goes along as the facet deforms and turns. A facet to which it is perpendicular, up
-    /// to 0.06 degrees, has the transverse coefficient for all slip, and `FMC_WARNING_NO_FRICTION_DIRECTION` tells of it. Default 0: none.
+    /// The direction, of any length but 0 and of either sign: on a body without deformation, on an obstacle in its frame. It is projected
+    /// into the plane of each facet there, and moves along as the facet deforms and turns. A facet to which it is perpendicular, up to 0.06
+    /// degrees, has the transverse coefficient for all slip, and `FMC_WARNING_NO_FRICTION_DIRECTION` reports it. Default 0: none.
     pub direction: [f64; 3],
-    /// To which of the two the direction belongs, in the order of the call: 0, the default, to `a`; 1 to `b`.
+    /// The partner to which the direction belongs, in the order of the call: 0, the default, to `a`; 1 to `b`.
     pub direction_of: i32,
     /// Zero.
     pub unused: i32,
@@ -75,7 +75,8 @@ impl fmc_orthotropic_friction {
     }
 }
 
-/// Sets friction to what `fmc_context_orthotropic_pair` tells of a pair whose friction is the same in all directions.
+/// Sets isotropic friction, as `fmc_context_orthotropic_pair` returns it for a pair whose friction is the same in all
+/// directions.
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`. Threads: any, on different structs.
 #[unsafe(no_mangle)]
@@ -91,11 +92,11 @@ pub unsafe extern "C" fn fmc_orthotropic_friction_init(friction: *mut fmc_orthot
 /// Sets the options of a pair as `fmc_context_set_pair_options` does, with another coefficient of friction across a direction. In 3D, of two
 /// bodies or of a body and an obstacle. `fmc_context_set_pair_options` takes it back.
 ///
-/// Errors: those of `fmc_context_set_pair_options`; `FMC_ERROR_NOT_POSITIVE` for a coefficient that is negative or not finite, an
-/// entry of the direction that is not finite, which the text names, and a direction of length 0; `FMC_ERROR_BAD_VALUE` for another `direction_of` than 0
-/// and 1; `FMC_ERROR_UNSUPPORTED` in 2D, for a body with itself, for a direction of a body without cells, in a mesh in parts, beside an infinite
-/// coefficient, a cohesion or a shear limit, and for a `static_coefficient` without a `friction_coefficient`. What was set before then
-/// stays. Threads: one call at a time on a context.
+/// Errors: as `fmc_context_set_pair_options`; `FMC_ERROR_NOT_POSITIVE` for a coefficient that is negative or not finite, for an entry of
+/// the direction that is not finite, which the text names, and for a direction of length 0. `FMC_ERROR_BAD_VALUE` for a `direction_of`
+/// other than 0 and 1. `FMC_ERROR_UNSUPPORTED` in 2D, for a body with itself, for a direction of a body without cells, in a mesh in parts,
+/// with an infinite coefficient, a cohesion or a shear limit, and for a `static_coefficient` without a `friction_coefficient`. The earlier
+/// options are then kept. Threads: one call at a time on a context.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_set_orthotropic_pair(
     context: *mut fmc_context,

@@ -33,18 +33,19 @@ pub unsafe extern "C" fn fmc_own_law_init(law: *mut fmc_own_law) -> fmc_status {
     })
 }
 
-/// Checks a law without a context: whether the same question has the same answer, each point alone and beside others, and whether its tangents are
-/// the derivatives of its tractions, by differences to 1e-6 of the largest entry. Corners of a law, where damage begins, are recognised.
+/// Checks a law without a context: whether the same input has the same answer, for each point alone and among other points. It also
+/// compares the tangents with differences of the tractions, to 1e-6 of the largest entry. Corners of a law, where damage begins, are
+/// recognised.
 ///
 /// `scale` is a jump over which the tractions change, such as the opening at which damage begins, a length; differences have steps of 1e-6 of it.
-/// `jump` has `jump_count` jumps of `dim` numbers at which to check; NULL with 0: 60 that the library spreads over -scale/4 ... scale along the
-/// normal and -scale ... scale across it. The history is 0, and then what other jumps leave. `time_step` 0: none is said.
+/// `jump` has `jump_count` jumps of `dim` numbers at which to check; NULL with 0: 60 that the library spreads over -scale/4 ... scale along
+/// the normal and -scale ... scale across it. The history is 0, and then the result of other jumps. `time_step` 0: not set.
 ///
-/// `tell` may be NULL; else it gets a sentence for everything that was looked at, with level `FMC_LOG_WARNING` for what is wrong, else 0.
+/// `tell` may be NULL; else it receives a sentence for each check, with level `FMC_LOG_WARNING` for a fault, else 0.
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_STRUCT_SIZE`, `FMC_ERROR_RESERVED_FIELD`, `FMC_ERROR_BAD_VALUE` for a `history_count` above
-/// 1048576, `FMC_ERROR_DIMENSION`, `FMC_ERROR_LENGTH`, `FMC_ERROR_NOT_POSITIVE`; `FMC_ERROR_INTERFACE_LAW` for a law that fails, answers what is
-/// not finite, or is wrong, with all that is wrong in the text. Threads: any.
+/// 1048576, `FMC_ERROR_DIMENSION`, `FMC_ERROR_LENGTH`, `FMC_ERROR_NOT_POSITIVE`. `FMC_ERROR_INTERFACE_LAW` for a law that fails, returns a
+/// number that is not finite, or is wrong; the text lists all faults. Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_own_law_check(
     law: *const fmc_own_law,
@@ -91,8 +92,8 @@ pub(super) unsafe fn tell_report(
 /// Sets fields that laws of the host are asked with at their points, such as a temperature: `field_count` numbers for each of `row_count` rows of
 /// the coordinates, all of a row together, (row_count, field_count). They stay until others are set; `field_count` 0: none.
 ///
-/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_LENGTH` for another number of rows than coordinates have, `FMC_ERROR_NOT_POSITIVE` for what is not
-/// finite, `FMC_ERROR_BUSY`; the old ones then stay. Threads: one call at a time on a context.
+/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_LENGTH` for another number of rows than coordinates have, `FMC_ERROR_NOT_POSITIVE` for a
+/// number that is not finite, `FMC_ERROR_BUSY`; the old fields are then kept. Threads: one call at a time on a context.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_set_law_fields(
     context: *mut fmc_context,
@@ -114,10 +115,11 @@ pub unsafe extern "C" fn fmc_context_set_law_fields(
 /// Sets the options of a pair as `fmc_context_set_pair_options` does, whose interface is `FMC_INTERFACE_LAW`, with the law. The history of its
 /// points begins with zeros. `fmc_context_set_pair_options` with the same interface keeps law and history.
 ///
-/// The tangent is as symmetric as that of the law: take all of it, and an unsymmetric solver, unless the law has a potential.
+/// The tangent is symmetric only if the tangent of the law is. Unless the law has a potential, take the full tangent and an
+/// unsymmetric solver.
 ///
-/// Errors: those of `fmc_context_set_pair_options`; those of a law as `fmc_own_law_check` has them before it asks; `FMC_ERROR_OPTIONS_CONFLICT`
-/// for another interface. What was set before then stays. Threads: one call at a time on a context.
+/// Errors: as `fmc_context_set_pair_options`; the errors of `fmc_own_law_check` for an invalid struct; `FMC_ERROR_OPTIONS_CONFLICT` for
+/// another interface. The earlier options are then kept. Threads: one call at a time on a context.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_set_law_pair(
     context: *mut fmc_context,

@@ -5,27 +5,27 @@ use crate::capi::boundary::status::fmc_status::FMC_ERROR_OPTIONS_CONFLICT;
 use crate::capi::structs::choice::Choice;
 use crate::contact::{Cohesive, Interface, Ppr, Softening};
 
-/// What happens between two bodies.
+/// Interface between two bodies.
 #[repr(C)]
 pub enum fmc_interface {
     /// They press and rub where they touch.
     FMC_INTERFACE_CONTACT = 0,
-    /// They go together where their faces face one another without deformation, within `reach` and up to an angle of 60 degrees; they are in
+    /// They are tied where their faces face one another without deformation, within `reach` and up to an angle of 60 degrees. They are in
     /// no contact, neither there nor elsewhere. A gap or an overlap within reach is kept. Not with an obstacle, the law "volume", or a mesh
     /// in parts. See `fmc_context_tie`. Key value "tied".
     FMC_INTERFACE_TIED = 1,
-    /// They are held together where those that are tied would be, by an interface that opens, slides and breaks. They are in no contact:
-    /// the interface carries compression without damage, also where it is broken, at the points that faced one another at first. See
+    /// They are held together where tied bodies would be, by an interface that opens, slides and breaks. They are in no contact: the
+    /// interface carries compression without damage, also where it is broken, at the points that initially faced one another. See
     /// `fmc_context_cohesive`. Key value "cohesive".
     FMC_INTERFACE_COHESIVE = 2,
-    /// They slide on one another without friction, and do not separate, where those that are tied would be held: the normal part of a tie, also
-    /// in compression. They are in no other contact. Points that face one another are found anew by `fmc_context_begin_step`,
-    /// `fmc_context_commit_step` and `fmc_context_augment`. What holds for a tie holds for it. Key value "no_separation".
+    /// They slide on one another without friction, and do not separate, where tied bodies would be held: the normal part of a tie, also in
+    /// compression. They are in no other contact. `fmc_context_begin_step`, `fmc_context_commit_step` and `fmc_context_augment` search
+    /// again for the points that face one another. The rules for ties apply. Key value "no_separation".
     FMC_INTERFACE_NO_SEPARATION = 3,
     /// They press and open as in contact, and never slide where they touch: an infinite coefficient of friction. Key value "rough".
     FMC_INTERFACE_ROUGH = 4,
-    /// They are held together where those with a cohesive interface would be, by a law of the host, and are in no contact: the law has to resist
-    /// compression. Set by `fmc_context_set_law_pair`. Key value "law".
+    /// They are held together where a cohesive interface would hold them, by a law of the host, and are in no contact: the law has to
+    /// resist compression. Set by `fmc_context_set_law_pair`. Key value "law".
     FMC_INTERFACE_LAW = 5,
 }
 
@@ -36,7 +36,7 @@ pub enum fmc_softening {
     FMC_SOFTENING_LINEAR = 0,
     /// Exponentially: it never quite ends. Key value "exponential".
     FMC_SOFTENING_EXPONENTIAL = 1,
-    /// By the potential of Park, Paulino and Roesler, which says how it rises, too, and mixes opening and sliding: without `stiffness`,
+    /// By the potential of Park, Paulino and Roesler, which also gives its rise, and mixes opening and sliding: without `stiffness`,
     /// `mixed_mode_exponent` and `viscosity`. `fmc_context_set_ppr_pair` sets other shapes than the default ones. Key value "ppr".
     FMC_SOFTENING_PPR = 2,
 }

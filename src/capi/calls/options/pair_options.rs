@@ -15,12 +15,12 @@ use crate::overlap::Partner;
 /// after they change.
 pub const FMC_PAIR_LAW_OF_CONTEXT: i32 = -1;
 
-/// Value of `friction_coefficient` in `fmc_pair_options`: the pair has that of the context's options, also after it
-/// changes.
+/// Value of `friction_coefficient` in `fmc_pair_options`: the pair takes the coefficient of the context's options, also
+/// after it changes.
 pub const FMC_PAIR_FRICTION_OF_CONTEXT: i32 = -1;
 
-/// Options of one pair of partners, in place of the context's. `fmc_pair_options_init` sets all of them to what a pair
-/// has without options of its own.
+/// Options of one pair of partners, in place of the context's. `fmc_pair_options_init` sets all of them to their
+/// defaults.
 ///
 /// New options take the place of reserved fields; the size of the struct does not change.
 #[repr(C)]
@@ -28,60 +28,62 @@ pub const FMC_PAIR_FRICTION_OF_CONTEXT: i32 = -1;
 pub struct fmc_pair_options {
     /// Set by `fmc_pair_options_init`, so that a struct that was not initialised is recognised.
     pub struct_size: usize,
-    /// k > 0 of the law of this pair, in the units of `stiffness` in `fmc_options`; only with `law`, and then without a
-    /// default. With `FMC_INTERFACE_COHESIVE`, which has no law beside it: traction by opening without damage, and in compression; 0: so much
-    /// that damage begins at a hundredth of the opening at which a linear softening ends.
+    /// k > 0 of the law of this pair, in the units of `stiffness` in `fmc_options`; only with `law`, and then without a default. With
+    /// `FMC_INTERFACE_COHESIVE`, and without `law`: traction / opening without damage, and in compression. 0: damage begins at a hundredth
+    /// of the opening at which a linear softening ends.
     pub stiffness: f64,
     /// m >= 1, for the law "volume" only. Default 1.
     pub exponent: f64,
     /// Smoothing length of the law "fiber"; 0, the default: the quadratic law.
     pub smoothing_length: f64,
     /// Distance at which contact begins, in length; 0, the default: at the surfaces. Penetration, gap and pressure are
-    /// counted from there, also in weighted gaps. With an obstacle: its surface is taken to lie so much further out (a
-    /// shell's thickness, a coating), or, if negative, further in (a clearance). Half-spaces, balls and capsules stay what
-    /// they are, cylinders inwards; any other shape becomes its signed distance less the offset, with its outward edges
-    /// rounded, and what holds for `FMC_SHAPE_SIGNED_DISTANCE` holds for it. Between bodies, and of one with itself,
-    /// only with the law "depth" and not positive: -c lets either body in by c before it presses.
+    /// counted from there, also in weighted gaps. With an obstacle: its surface lies so much further out (a shell's
+    /// thickness, a coating), or, if negative, further in (a clearance). Half-spaces, balls and capsules keep their kind,
+    /// and so do cylinders with a negative offset. Any other shape becomes its signed distance minus the offset, with its
+    /// outward edges rounded, and is treated as `FMC_SHAPE_SIGNED_DISTANCE`. Between bodies, and of one with itself, only
+    /// with the law "depth" and not positive: -c allows either body to penetrate by c before it presses.
     pub gap_offset: f64,
     /// Coefficient of friction, at least 0 or infinite, or `FMC_PAIR_FRICTION_OF_CONTEXT`, the default; with
-    /// `FMC_INTERFACE_COHESIVE` that of what is broken. All else of the friction is that of the context's options.
+    /// `FMC_INTERFACE_COHESIVE` the coefficient of the broken part. All other options of friction are taken from the
+    /// context.
     pub friction_coefficient: f64,
     /// A value of `fmc_law`, or `FMC_PAIR_LAW_OF_CONTEXT`, the default.
     pub law: i32,
-    /// 1: the pair is left out; it is not measured, and adds nothing to any result. With `surface_a` and `surface_b` these parts are held, and
-    /// no other face of the pair is in contact. Default 0.
+    /// 1: the pair is excluded; it is not measured, and adds nothing to any result. With `surface_a` and `surface_b` these parts are held,
+    /// and no other face of the pair is in contact. Default 0.
     pub excluded: i32,
-    /// Coefficient of friction of what rests, at least that of what slides; 0, the default: that of the context's options, or none where
+    /// Static coefficient of friction, at least the kinetic one; 0, the default: as in the context's options, or none where
     /// `friction_coefficient` is set.
     pub static_coefficient: f64,
-    /// Slip over which it falls to that of what slides, a length; positive with `static_coefficient`, else 0, the default.
+    /// Slip over which it falls to the kinetic coefficient, a length; positive with `static_coefficient`, else 0, the
+    /// default.
     pub weakening_slip: f64,
-    /// What happens between two bodies, a value of `fmc_interface`. Default `FMC_INTERFACE_CONTACT`.
+    /// Interface between two bodies, a value of `fmc_interface`. Default `FMC_INTERFACE_CONTACT`.
     pub interface_kind: i32,
     /// A value of `fmc_softening`, with `FMC_INTERFACE_COHESIVE`. Default `FMC_SOFTENING_LINEAR`.
     pub softening: i32,
-    /// How far apart faces that belong together may be, or how far they may overlap, a length, with `FMC_INTERFACE_TIED`,
-    /// `FMC_INTERFACE_COHESIVE` and `FMC_INTERFACE_NO_SEPARATION`; 0, the default: a tenth of the mean facet of the body with
-    /// the larger facets, all its faces included.
+    /// Largest distance or overlap of faces that are held together, a length, with `FMC_INTERFACE_TIED`,
+    /// `FMC_INTERFACE_COHESIVE` and `FMC_INTERFACE_NO_SEPARATION`. 0, the default: a tenth of the mean facet of the body with
+    /// the larger facets, including all its faces.
     pub reach: f64,
     /// With `FMC_INTERFACE_COHESIVE`: traction at which damage begins in pure opening, positive.
     pub normal_strength: f64,
-    /// The same in pure sliding; 0, the default: that of opening.
+    /// The same in pure sliding; 0, the default: as in opening.
     pub shear_strength: f64,
     /// Energy by area that pure opening takes until the interface is broken, positive.
     pub normal_energy: f64,
-    /// The same of pure sliding; 0, the default: that of opening.
+    /// The same in pure sliding; 0, the default: as in opening.
     pub shear_energy: f64,
     /// Exponent, at least 1, by which the two are mixed (Benzeggagh and Kenane); 0, the default: 2.
     pub mixed_mode_exponent: f64,
     /// With `FMC_INTERFACE_TIED`, `FMC_INTERFACE_COHESIVE` and `FMC_INTERFACE_NO_SEPARATION`: the part of the surface of `a`, a number of
-    /// `fmc_context_add_surface`, whose faces may be held; 0, the default: all of it. Facets of both parts that are held are in no contact;
-    /// all others of the pair press and rub, by the law "depth". Without parts nothing else of the pair is in contact.
+    /// `fmc_context_add_surface`, whose faces may be held; 0, the default: all of it. Held facets of both parts are in no contact; all
+    /// other facets of the pair press and rub, by the law "depth". Without parts no other facet of the pair is in contact.
     pub surface_a: i32,
     /// The same of `b`. Both are 0, or neither.
     pub surface_b: i32,
     /// With `FMC_INTERFACE_COHESIVE`: a time by which damage lags behind the law, so that searches pass where a structure snaps; 0, the
-    /// default: none. `fmc_context_set_time_step` says how long a step takes.
+    /// default: none. `fmc_context_set_time_step` sets the duration of a step.
     pub viscosity: f64,
     /// Zero. Room for options of later versions.
     pub reserved: [u64; 3],
@@ -116,7 +118,7 @@ impl Default for fmc_pair_options {
     }
 }
 
-/// Sets the options of a pair to what it has without options of its own: the law of the context, not left out.
+/// Sets the options of a pair to their defaults: the law of the context, not excluded.
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`. Threads: any, on different structs.
 #[unsafe(no_mangle)]
@@ -131,21 +133,20 @@ pub unsafe extern "C" fn fmc_pair_options_init(options: *mut fmc_pair_options) -
 
 /// Sets the options of a pair: a body with another, with itself, or with an obstacle, in either order. They apply from
 /// the next evaluation on; `options` NULL: the pair follows the context's again, as every pair does at first. Friction of the pair is then
-/// the same in all directions; for another, call `fmc_context_set_orthotropic_pair` instead. What the pair wears by stays; with NULL it wears no
-/// more.
+/// the same in all directions; for another, call `fmc_context_set_orthotropic_pair` instead. The wear coefficients of the pair are kept;
+/// with NULL they are removed.
 ///
 /// `a_kind` and `b_kind` are values of `fmc_partner`; `a` and `b` count bodies as `fmc_context_body_resultant` and obstacles as
 /// `fmc_context_obstacle_resultant`. For a body with itself these options decide in place of the context's `self_contact` whether
 /// it is evaluated against itself: `excluded` switches that off for this body, and anything else on.
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`; `FMC_ERROR_BODY_OUT_OF_RANGE`, `FMC_ERROR_OBSTACLE_OUT_OF_RANGE` and
-/// `FMC_ERROR_OBSTACLE_REMOVED`, naming the index; `FMC_ERROR_BAD_VALUE` for an unknown kind or value,
-/// `FMC_ERROR_OPTIONS_CONFLICT` for an option that would have no effect; `FMC_ERROR_RESERVED_FIELD`; `FMC_ERROR_STRUCT_SIZE`; `FMC_ERROR_NOT_POSITIVE`;
-/// `FMC_ERROR_UNSUPPORTED` for two obstacles, for a law that the estimator of the context does not support, for a
-/// gap offset between bodies that is positive or has another law than "depth", and for a pair that wears (`fmc_context_set_pair_wear`) and could
-/// not with these options; `FMC_ERROR_UNTIED` for bodies that are
-/// tied and face one another nowhere within reach, `FMC_ERROR_BUSY`. What was set before then stays. `fmc_context_set_options` refuses an
-/// estimator that does not support the law of a pair. Threads: one call at a time on a context.
+/// `FMC_ERROR_OBSTACLE_REMOVED`, naming the index; `FMC_ERROR_BAD_VALUE` for an unknown kind or value, `FMC_ERROR_OPTIONS_CONFLICT` for an
+/// option that would have no effect; `FMC_ERROR_RESERVED_FIELD`; `FMC_ERROR_STRUCT_SIZE`; `FMC_ERROR_NOT_POSITIVE`. `FMC_ERROR_UNSUPPORTED`
+/// for two obstacles, for a law that the estimator of the context does not support, for a gap offset between bodies that is positive or has
+/// another law than "depth", and for a pair with wear coefficients (`fmc_context_set_pair_wear`) that cannot wear with these options.
+/// `FMC_ERROR_UNTIED` for tied bodies that face one another nowhere within reach, `FMC_ERROR_BUSY`. The earlier options are then kept.
+/// `fmc_context_set_options` refuses an estimator that does not support the law of a pair. Threads: one call at a time on a context.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_set_pair_options(
     context: *mut fmc_context,
@@ -164,9 +165,9 @@ pub unsafe extern "C" fn fmc_context_set_pair_options(
     }
 }
 
-/// The options of a pair, named as in `fmc_context_set_pair_options`. Of a pair without options of its own, those that
-/// hold for it: for a body with itself `excluded` is 1 unless the context's `self_contact` is on. Another coefficient of friction across a
-/// direction is told by `fmc_context_orthotropic_pair`.
+/// The options of a pair, named as in `fmc_context_set_pair_options`. For a pair without separate options, these are the options in force:
+/// for a body with itself `excluded` is 1 unless the context's `self_contact` is on. `fmc_context_orthotropic_pair` returns another
+/// coefficient of friction across a direction.
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BODY_OUT_OF_RANGE`, `FMC_ERROR_OBSTACLE_OUT_OF_RANGE`,
 /// `FMC_ERROR_OBSTACLE_REMOVED`, `FMC_ERROR_BAD_VALUE` for an unknown kind, `FMC_ERROR_UNSUPPORTED` for two

@@ -22,9 +22,9 @@ pub struct fmc_ppr {
     pub normal_shape: f64,
     /// Shape beta of sliding. Default 2.
     pub shear_shape: f64,
-    /// The opening at the strength by that at which the traction ends, above 0 and at most 1/sqrt(2 alpha - 1). Default 0.05.
+    /// Opening at the strength / opening at which the traction ends, above 0 and at most 1/sqrt(2 alpha - 1). Default 0.05.
     pub normal_slope: f64,
-    /// The same of sliding, by beta. Default 0.05.
+    /// The same in sliding, with beta. Default 0.05.
     pub shear_slope: f64,
     /// Zero. Room for options of later versions.
     pub reserved: [u64; 4],
@@ -81,9 +81,9 @@ pub unsafe extern "C" fn fmc_ppr_init(ppr: *mut fmc_ppr) -> fmc_status {
 /// Sets the options of a pair as `fmc_context_set_pair_options` does, whose interface is `FMC_INTERFACE_COHESIVE` and whose softening is
 /// `FMC_SOFTENING_PPR`, with other shapes and initial slopes than the default ones.
 ///
-/// Errors: those of `fmc_context_set_pair_options`; `FMC_ERROR_NOT_POSITIVE` and `FMC_ERROR_UNSUPPORTED` for shapes and slopes that cannot be,
-/// which the text names; `FMC_ERROR_OPTIONS_CONFLICT` for another interface or softening. What was set before then stays. Threads: one call
-/// at a time on a context.
+/// Errors: as `fmc_context_set_pair_options`; `FMC_ERROR_NOT_POSITIVE` and `FMC_ERROR_UNSUPPORTED` for impossible shapes and slopes, which
+/// the text names; `FMC_ERROR_OPTIONS_CONFLICT` for another interface or softening. The earlier options are then kept. Threads: one call at
+/// a time on a context.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_set_ppr_pair(
     context: *mut fmc_context,

@@ -13,7 +13,8 @@ use crate::contact::{StiffnessFrom, suggest_fiber_stiffness, suggest_stiffness};
 ///
 /// For the laws "depth" and "fiber" k = 10 E / h, a pressure per length: a penetration of a tenth of a cell presses with E.
 /// `dim` and `exponent` have no effect. For the law "volume" with the exponent m an overlap a tenth of a cell deep over a
-/// patch one cell wide presses with E: k = E / (m V^(m - 1)), V = h^dim / 10, in Pa / (length^dim)^(m - 1); for m = 1 it is E.
+/// patch one cell wide presses with E: k = E / (m V^(m - 1)), V = h^dim / 10. Its unit is Pa / (length^dim)^(m - 1); for m = 1
+/// it is E.
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BAD_VALUE` for an unknown law, `FMC_ERROR_DIMENSION`,
 /// `FMC_ERROR_NOT_POSITIVE`. Threads: any.

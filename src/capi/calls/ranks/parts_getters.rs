@@ -66,7 +66,7 @@ pub unsafe extern "C" fn fmc_context_gathered_counts(
 /// The nodes gathered, in the order in which the context counts them: `numbers`, their numbers in the whole mesh, ascending;
 /// `own_nodes`, which of this rank's own nodes each is, -1 where it is a node of other ranks alone; both counted from the option
 /// `index_base`; `coords`, where they are, `dim` numbers each in dense rows. Each may be NULL, and has room for `capacity` nodes;
-/// `count` becomes their number. All three NULL with capacity 0: the number alone is asked for. Evaluations are at these coordinates;
+/// `count` becomes their number. All three NULL with capacity 0: only the number is returned. Evaluations are at these coordinates;
 /// forces, rows and columns are those of these nodes.
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_MISALIGNED_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_UNSUPPORTED`,
@@ -123,7 +123,7 @@ unsafe fn put_all(places: Places, numbers: impl Iterator<Item = i64>) {
 }
 
 /// The numbers in the whole mesh of the cells gathered, ascending, counted from the option `index_base`. `count` becomes how many they
-/// are; `numbers` has room for `capacity`. NULL with capacity 0: the number alone is asked for.
+/// are; `numbers` has room for `capacity`. NULL with capacity 0: only the number is returned.
 ///
 /// Errors: as `fmc_context_gathered_nodes`. Threads: as that.
 #[unsafe(no_mangle)]

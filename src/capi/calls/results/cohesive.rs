@@ -39,7 +39,7 @@ pub unsafe extern "C" fn fmc_context_cohesive(
 
 /// All points of cohesive interfaces at `coords`, by pair, in the order of `fmc_context_damage`.
 ///
-/// `count` becomes their number; `rows` has room for `capacity`. NULL with capacity 0: the number alone is asked for.
+/// `count` becomes their number; `rows` has room for `capacity`. NULL with capacity 0: only the number is returned.
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_LENGTH`, `FMC_ERROR_NON_FINITE_COORDINATE`,
 /// `FMC_ERROR_UNTIED` as `fmc_context_cohesive`, `FMC_ERROR_BUSY`. Threads: one call at a time on a context.

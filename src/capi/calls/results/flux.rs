@@ -68,9 +68,9 @@ pub unsafe extern "C" fn fmc_context_flux(
 /// semidefinite, and independent of the field. Rows and columns are nodes, then obstacles. The entries of row r are those from
 /// `row_offsets[r]` to `row_offsets[r + 1]`, in ascending order of their columns. Offsets and columns count from the option `index_base`.
 ///
-/// `offset_count` becomes the number of offsets, one more than there are rows, and `count` that of entries. `row_offsets` has room for
-/// `offset_capacity`, `cols` and `values` for `capacity`. An array that is NULL with capacity 0 is not written: its number alone is
-/// asked for.
+/// `offset_count` becomes the number of offsets, one more than there are rows, and `count` the number of entries. `row_offsets` has
+/// room for `offset_capacity`, `cols` and `values` for `capacity`. An array that is NULL with capacity 0 is not written: only its
+/// number is returned.
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_LENGTH` where a number does not fit into the context's
 /// numbers, `FMC_ERROR_BUSY`; nothing is written then. Threads: several at once on one context, as long as no call changes it.

@@ -41,14 +41,14 @@ pub unsafe extern "C" fn fmc_context_gap_constraints(
     })
 }
 
-/// The derivative of the gaps that were found, d gap / d x, in compressed rows: the entries of row r are those from
-/// `row_offsets[r]` to `row_offsets[r + 1]`, in ascending order of their columns, which are degrees of freedom as in
-/// `fmc_context_tangent`. Offsets and columns count from the option `index_base`. The set of columns is what feels the contact.
-/// Pressures p on the rows act with the nodal forces sum over r of p_r times row r.
+/// The derivative of the gaps that were found, d gap / d x, in compressed rows: row r has the entries from `row_offsets[r]` to
+/// `row_offsets[r + 1]`, in ascending order of their columns, which are degrees of freedom as in `fmc_context_tangent`. Offsets
+/// and columns count from the option `index_base`. The set of columns is what feels the contact. Pressures p on the rows act
+/// with the nodal forces sum over r of p_r times row r.
 ///
-/// `offset_count` becomes the number of offsets, one more than there are rows, and `count` that of entries. `row_offsets` has room for
-/// `offset_capacity`, `cols` and `values` for `capacity`. An array that is NULL with capacity 0 is not written: its number alone is
-/// asked for.
+/// `offset_count` becomes the number of offsets, one more than there are rows, and `count` the number of entries. `row_offsets` has
+/// room for `offset_capacity`, `cols` and `values` for `capacity`. An array that is NULL with capacity 0 is not written: only its
+/// number is returned.
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_LENGTH` where a number does not fit into the context's
 /// numbers, `FMC_ERROR_BUSY`; nothing is written then. Threads: several at once on one context, as long as no call changes it.

@@ -36,7 +36,7 @@ pub unsafe extern "C" fn fmc_context_tie(
 /// Traction and jump of all ties at `coords`, by pair and node of the side that holds, mostly that with the larger facets; of bodies that do not
 /// separate those along the normal.
 ///
-/// `count` becomes their number; `rows` has room for `capacity`. NULL with capacity 0: the number alone is asked for.
+/// `count` becomes their number; `rows` has room for `capacity`. NULL with capacity 0: only the number is returned.
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_LENGTH`, `FMC_ERROR_NON_FINITE_COORDINATE`,
 /// `FMC_ERROR_NO_STIFFNESS`, `FMC_ERROR_UNTIED` as `fmc_context_tie`, `FMC_ERROR_BUSY`. Threads: one call at a time on a context.
@@ -66,9 +66,9 @@ pub unsafe extern "C" fn fmc_context_tie_nodes(
 /// `row_offsets[r]` to `row_offsets[r + 1]`, in ascending order of their columns, which are degrees of freedom as in
 /// `fmc_context_tangent`. Offsets and columns count from the option `index_base`.
 ///
-/// `offset_count` becomes the number of offsets, one more than there are rows, and `count` that of entries. `row_offsets` has room for
-/// `offset_capacity`, `cols` and `values` for `capacity`. An array that is NULL with capacity 0 is not written: its number alone is
-/// asked for.
+/// `offset_count` becomes the number of offsets, one more than there are rows, and `count` the number of entries. `row_offsets` has
+/// room for `offset_capacity`, `cols` and `values` for `capacity`. An array that is NULL with capacity 0 is not written: only its
+/// number is returned.
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_LENGTH` where a number does not fit into the context's
 /// numbers, `FMC_ERROR_UNSUPPORTED` where a tie keeps a gap, along which its rows depend on how facets turn, and with bodies that do not separate, `FMC_ERROR_UNTIED` as

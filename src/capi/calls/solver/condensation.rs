@@ -13,11 +13,12 @@ use std::sync::{Mutex, MutexGuard, TryLockError};
 
 /// Factors of the stiffness K of bodies, with the equations that feel contact retained for the end. Opaque.
 ///
-/// For hosts whose solver has no Schur complements: from K, which the host assembles without contact and without what is held, come
-/// the dense matrix and the right side for `fmc_context_contact_step`, and from the displacement of what is retained that of all.
-/// With c the equations that are retained and r the others, `S = K_cc - K_cr inv(K_rr) K_rc`.
+/// For hosts whose solver has no Schur complements. The host assembles K without contact and without fixed degrees of freedom. The
+/// condensation gives the dense matrix and the right side for `fmc_context_contact_step`, and all displacements from the retained
+/// ones. With c the retained equations and r the rest, `S = K_cc - K_cr inv(K_rr) K_rc`.
 ///
-/// One thread works on it, so the same matrix has the same bits everywhere. Concurrent calls on one return `FMC_ERROR_BUSY`.
+/// It works with one thread, so the same matrix gives bit-for-bit identical results everywhere. Concurrent calls on one
+/// return `FMC_ERROR_BUSY`.
 pub struct fmc_condensation {
     state: Mutex<Condensation>,
 }
@@ -73,14 +74,13 @@ pub unsafe extern "C" fn fmc_condensation_free(condensation: *mut *mut fmc_conde
 /// Factorises a symmetric matrix, with `retained_count` of its equations, `retained`, for the end.
 ///
 /// `matrix`: all entries, or none above the diagonal. `retained` counts equations as the matrix does, by numbers as wide as its own, and
-/// ascends. The other equations have to be positive definite: bodies that are held, or are so by what is retained. What depends on
-/// the pattern alone is kept for the next matrix of the same pattern, and factorising that takes less.
+/// ascends. The other equations have to be positive definite: bodies are supported, or would be if the retained equations were fixed.
+/// The symbolic factorisation is kept for the next matrix of the same pattern, which then takes less time.
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_MISALIGNED_POINTER`, `FMC_ERROR_STRUCT_SIZE`, `FMC_ERROR_RESERVED_FIELD`, `FMC_ERROR_INDEX_SIZE`,
-/// `FMC_ERROR_LENGTH`, `FMC_ERROR_DOF_OUT_OF_RANGE`, `FMC_ERROR_REPEATED_DOF`, `FMC_ERROR_NON_FINITE_STIFFNESS`,
-/// `FMC_ERROR_UNSYMMETRIC`, which all leave the factors that there were; `FMC_ERROR_NOT_POSITIVE_DEFINITE` and `FMC_ERROR_OVERFLOW`,
-/// after which there are none; `FMC_ERROR_UNSUPPORTED` if the library lacks the feature "solver"; `FMC_ERROR_BUSY`. Threads: one call
-/// at a time on a condensation.
+/// `FMC_ERROR_LENGTH`, `FMC_ERROR_DOF_OUT_OF_RANGE`, `FMC_ERROR_REPEATED_DOF`, `FMC_ERROR_NON_FINITE_STIFFNESS`, `FMC_ERROR_UNSYMMETRIC`,
+/// which all keep the earlier factors. `FMC_ERROR_NOT_POSITIVE_DEFINITE` and `FMC_ERROR_OVERFLOW`, which discard them.
+/// `FMC_ERROR_UNSUPPORTED` if the library lacks the feature "solver"; `FMC_ERROR_BUSY`. Threads: one call at a time on a condensation.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_condensation_factorise(
     condensation: *mut fmc_condensation,
@@ -104,8 +104,8 @@ pub unsafe extern "C" fn fmc_condensation_factorise(
 
 /// S of the last matrix, row by row: the stiffness for `fmc_context_contact_step`.
 ///
-/// `count` becomes the number of numbers, the square of that of retained equations, for which `complement` has room for `capacity`. NULL
-/// with capacity 0: the number alone is asked for.
+/// `count` becomes the number of entries, the square of the number of retained equations; `complement` has room for `capacity`. NULL
+/// with capacity 0: only the number is returned.
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_MISALIGNED_POINTER`, `FMC_ERROR_NOT_FACTORISED`, `FMC_ERROR_BUFFER_TOO_SMALL`,
 /// `FMC_ERROR_BUSY`. Threads: one call at a time on a condensation.
@@ -134,11 +134,10 @@ pub unsafe extern "C" fn fmc_condensation_complement(
     })
 }
 
-/// What the other equations leave of a right side b on those that are retained: `b_c - K_cr inv(K_rr) b_r`.
+/// Condenses a right side b on the retained equations: `b_c - K_cr inv(K_rr) b_r`.
 ///
 /// `right`: `right_count` numbers, as many as there are equations. `count` becomes the number of retained equations; `condensed` has
-/// room for `capacity`. For `fmc_context_contact_step` its negative is the residual, where b are the external less the internal
-/// forces.
+/// room for `capacity`. With b the external minus the internal forces, its negative is the residual for `fmc_context_contact_step`.
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_MISALIGNED_POINTER`, `FMC_ERROR_NOT_FACTORISED`, `FMC_ERROR_LENGTH`,
 /// `FMC_ERROR_NON_FINITE_STIFFNESS`, `FMC_ERROR_OVERFLOW`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_BUSY`. Threads: one call at a
@@ -164,11 +163,12 @@ pub unsafe extern "C" fn fmc_condensation_condense(
     })
 }
 
-/// Solution of `K x = b` in the equations that are not retained, with those that are as they are given: `x_r = inv(K_rr) (b_r - K_rc x_c)`.
+/// Solution of `K x = b` in the equations that are not retained, with given values of the retained unknowns:
+/// `x_r = inv(K_rr) (b_r - K_rc x_c)`.
 ///
-/// `right` is b, as many numbers as there are equations, and `retained` x_c, as many as are retained. `count` becomes the number of
-/// equations; `solution` has room for `capacity`, and may not overlap them. With the displacement of `fmc_context_contact_step` as x_c
-/// it is the change of all displacements.
+/// `right` is b, as many numbers as there are equations, and `retained` is x_c, one for every retained equation. `count` becomes the
+/// number of equations; `solution` has room for `capacity`, and may not overlap them. With the displacement of
+/// `fmc_context_contact_step` as x_c it is the change of all displacements.
 ///
 /// Errors: as `fmc_condensation_condense`. Threads: one call at a time on a condensation.
 #[unsafe(no_mangle)]

@@ -23,11 +23,11 @@ use std::ffi::c_void;
 pub struct fmc_contact_step_options {
     /// Set by `fmc_contact_step_options_init`, so that a struct that was not initialised is recognised.
     pub struct_size: usize,
-    /// Norm of the residual, by the larger of those of the residual given and of the contact forces on the list, at which a
-    /// step has converged. Default 1e-10.
+    /// Relative residual at which a step has converged. The reference is the norm of the given residual or of the contact
+    /// forces on the list, whichever is larger. Default 1e-10.
     pub tolerance: f64,
-    /// Norm of the residual, a force, at which it has converged too; 0, the default: none. Bodies that are not linear need no
-    /// more than a part of what their linearisation leaves.
+    /// Norm of the residual, a force, at which it has converged too; 0, the default: none. For nonlinear bodies a part of
+    /// their linearisation error suffices.
     pub absolute_tolerance: f64,
     /// Relative residual below which the full tangent is taken, above it the semidefinite one. Default 0.1.
     pub full_below: f64,
@@ -35,10 +35,10 @@ pub struct fmc_contact_step_options {
     pub max_iterations: i32,
     /// Trials along a direction, at most, at least 1. Default 12.
     pub max_trials: i32,
-    /// 1: softer contacts come first where the first step of Newton's method cannot be taken whole, because it would not lower the
-    /// energy (without an energy, the residual) or would turn a cell inside out: first one that is no stiffer than the bodies at any
-    /// degree of freedom of the list, then one ten times as stiff, and so on. Each may take `max_iterations`. What is reported
-    /// is that of the contact as it is. 0, the default: off.
+    /// 1: softer contacts come first if the first full step of Newton's method would not lower the energy (without an energy, the
+    /// residual) or would invert a cell. The first contact is no stiffer than the bodies at any degree of freedom of the list, the
+    /// next one is ten times as stiff, and so on. Each may take `max_iterations`. Results refer to the true contact. 0, the default:
+    /// off.
     pub soft_start: i32,
     /// Zero. Room for switches of later versions.
     pub reserved_flags: i32,
@@ -97,14 +97,14 @@ impl fmc_contact_step_options {
 pub enum fmc_contact_step_state {
     /// In equilibrium.
     FMC_STEP_CONVERGED = 0,
-    /// Contact acts on degrees of freedom that are neither on the list nor fixed: the displacement is what was reached when it
-    /// did, and a longer list is needed.
+    /// Contact acts on degrees of freedom that are neither on the list nor fixed, and a longer list is needed. The
+    /// displacement is the last one.
     FMC_STEP_OUTSIDE = 1,
-    /// The iterations have run out, or the residual could not be lowered any more; the displacement is what was reached.
+    /// The iterations have run out, or the residual could not be lowered further; the displacement is the last one.
     FMC_STEP_NOT_CONVERGED = 2,
 }
 
-/// What is said of a step.
+/// Results of a step.
 ///
 /// New fields take the place of reserved ones; the size of the struct does not change.
 #[repr(C)]
@@ -122,9 +122,10 @@ pub struct fmc_contact_step_result {
     pub outside_count: usize,
     /// Norm of the residual at the start.
     pub residual_at_start: f64,
-    /// Norm of the residual that is left.
+    /// Norm of the residual at the end.
     pub residual: f64,
-    /// What it is compared with: the larger of the norms of the residual given and of the contact forces on the list.
+    /// Reference of the residual: the norm of the given residual or of the contact forces on the list, whichever is
+    /// larger.
     pub scale: f64,
     /// Zero.
     pub reserved: [u64; 8],
@@ -143,25 +144,25 @@ pub unsafe extern "C" fn fmc_contact_step_options_init(options: *mut fmc_contact
     })
 }
 
-/// The displacement d of some degrees of freedom for which `S d + r - f(x + d) = 0`: equilibrium of the contact forces f with bodies
-/// whose stiffness S and residual r without contact the host has condensed on these degrees of freedom. With it a host
-/// factorises its bodies once, and the contact, which opens and closes, is iterated on a small dense system.
+/// Finds the displacement d of some degrees of freedom for which `S d + r - f(x + d) = 0`: contact forces f are in equilibrium with
+/// bodies. The host has condensed their stiffness S and residual r, both without contact, on these degrees of freedom. The host
+/// factorises its bodies once, and iterates the contact, which opens and closes, on a small dense system.
 ///
-/// By Newton's method for the energy `r.d + d.S d / 2 + w(x + d)`, along whose directions it is lowered. Frozen friction has an
-/// energy, too (`fmc_context_freeze_friction`); friction with the current pressure has none, the matrix is then unsymmetric, and
-/// what is lowered is the residual. With the law "fiber" call `fmc_context_keep_patches` before, for one energy.
+/// It uses Newton's method with a line search on the energy `r.d + d.S d / 2 + w(x + d)`. Frozen friction has an energy, too
+/// (`fmc_context_freeze_friction`). Friction with the current pressure has none: the matrix is then unsymmetric, and the line
+/// search lowers the residual. With the law "fiber" call `fmc_context_keep_patches` before, for one energy.
 ///
-/// `dofs`, the list: `dof_count` degrees of freedom, counted as in `fmc_context_tangent`, ascending; best those of
-/// the tangent's pattern that may move. `fixed_dofs`: `fixed_count` others that do not move and on which contact may act, ascending.
-/// `stiffness`: S, `dof_count * dof_count` numbers, row by row, symmetric; `residual`: r, internal less external forces at `coords`.
-/// `options` may be NULL: the defaults. `place`, which may be NULL, moves the nodes that follow those on the list; where bodies move by more
-/// than a part of a cell it is needed, since cells whose other nodes stay would be inverted. `displacement` has room for
-/// `dof_count` numbers. It and `result` are written on success, which is any state of `fmc_contact_step_state`: look at it.
+/// `dofs`, the list: `dof_count` degrees of freedom, counted as in `fmc_context_tangent`, ascending; take the movable ones of the tangent's
+/// pattern. `fixed_dofs`: `fixed_count` others that do not move and on which contact may act, ascending. `stiffness`: S,
+/// `dof_count * dof_count` numbers, row by row, symmetric; `residual`: r, internal minus external forces at `coords`. `options` may be
+/// NULL: the defaults. `place`, which may be NULL, moves the nodes that follow the nodes on the list. Bodies that move by more than a part
+/// of a cell need it, since cells whose other nodes stay would be inverted. `displacement` has room for `dof_count` numbers. It and
+/// `result` are written on success, which is any state of `fmc_contact_step_state`: look at it.
 ///
-/// For less penetration than the law leaves, call `fmc_context_augment` where the step has led, and take the step again.
+/// For a smaller penetration call `fmc_context_augment` at the end of the step, and repeat the step.
 ///
-/// Results and tangent that are kept in the context stay those of earlier calls. Dense factors of `dof_count` equations are made
-/// in every iteration: some 500 take tenths of a second.
+/// Results and tangent in the context remain those from earlier calls. Dense factors of `dof_count` equations are made in every
+/// iteration: some 500 take tenths of a second.
 ///
 /// Errors: as `fmc_context_tangent` at `coords`; `FMC_ERROR_DOF_OUT_OF_RANGE`, `FMC_ERROR_REPEATED_DOF`,
 /// `FMC_ERROR_NON_FINITE_STIFFNESS`, `FMC_ERROR_NOT_POSITIVE`, `FMC_ERROR_BAD_VALUE`, `FMC_ERROR_STRUCT_SIZE` and `FMC_ERROR_RESERVED_FIELD` for the options,

@@ -16,9 +16,9 @@ use std::sync::{Mutex, MutexGuard, TryLockError};
 
 /// A search for the equilibrium of a host's bodies in contact at the end of one load step. Opaque.
 ///
-/// It finds the stiffness of the contact from the host's matrix where the option `stiffness` is 0; moves bodies that nothing holds until
-/// contact balances their loads, or names those that nothing stops; keeps steps so short that nothing passes through anything; and
-/// tries several ways to the equilibrium from the same start. The host keeps its vectors, matrices and solvers, and answers.
+/// Where the option `stiffness` is 0, it finds the stiffness of the contact from the host's matrix. It moves unsupported bodies until
+/// contact balances their loads, or names a body that no contact stops. It keeps steps so short that no body passes through another, and
+/// tries several ways to the equilibrium from the same start. The host keeps its vectors, matrices and solvers, and answers requests.
 /// Concurrent calls on one return `FMC_ERROR_BUSY`.
 pub struct fmc_equilibrium {
     state: Mutex<State>,
@@ -111,14 +111,14 @@ pub unsafe extern "C" fn fmc_equilibrium_new(
     })
 }
 
-/// Takes the answer to the last request, and says what is asked for next, or that the search has ended.
+/// Takes the answer to the last request, and writes the next request, or the end of the search.
 ///
-/// `answer`: NULL for the first call; without an answer the same is asked again. Between the calls the host may call the context, as to
-/// get the tangent; it does not change obstacles, options or friction before the search has ended. After a refusal, friction and
-/// multipliers of the context are what they were before.
+/// `answer`: NULL for the first call; later a call without an answer repeats the request. Between the calls the host may call the
+/// context, for example to get the tangent. It must not change obstacles, options or friction before the search has ended. A refusal
+/// restores friction and multipliers of the context.
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_MISALIGNED_POINTER`, `FMC_ERROR_STRUCT_SIZE`, `FMC_ERROR_UNSUPPORTED` for a context of
-/// another dimension, `FMC_ERROR_BUSY`; the request then stays. Threads: one call at a time on a search and its context.
+/// another dimension, `FMC_ERROR_BUSY`; the request then remains. Threads: one call at a time on a search and its context.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_equilibrium_next(
     context: *mut fmc_context,
@@ -143,8 +143,8 @@ pub unsafe extern "C" fn fmc_equilibrium_next(
     })
 }
 
-/// Gives up a search that has not ended, as where the host can answer no more: friction and multipliers of the context are what they were
-/// before it, and the search has ended with a refusal. Does nothing where it has ended.
+/// Gives up a search that has not ended, for example because the host cannot answer. It restores friction and multipliers of the context,
+/// and the search ends with a refusal. Does nothing if the search has ended.
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_UNSUPPORTED` for a context of another dimension, `FMC_ERROR_BUSY`. Threads: one call at a
 /// time on a search and its context.
@@ -162,7 +162,7 @@ pub unsafe extern "C" fn fmc_equilibrium_abandon(
     })
 }
 
-/// What a search that has ended has led to.
+/// Result of an ended search.
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NO_STEP` while it goes on, `FMC_ERROR_BUSY`. Threads: one call at a time on a search.
 #[unsafe(no_mangle)]
@@ -198,9 +198,9 @@ pub unsafe extern "C" fn fmc_equilibrium_text(equilibrium: *const fmc_equilibriu
     state.ok().and_then(|state| state.texts.get(number).map(|text| text.as_ptr())).unwrap_or(std::ptr::null())
 }
 
-/// Frees a search and sets the host's pointer to NULL. Does nothing for a NULL pointer, or a pointer to NULL. One that has not ended
-/// leaves the context in mid-search, with friction that is frozen or softer, and multipliers: `fmc_equilibrium_abandon` before it takes
-/// them back.
+/// Frees a search and sets the host's pointer to NULL. Does nothing for a NULL pointer, or a pointer to NULL. Freeing a search before
+/// its end does not restore the context, which keeps frozen or softened friction, and multipliers: call `fmc_equilibrium_abandon`
+/// first.
 ///
 /// Errors: none. Threads: no other call on it may be running or follow.
 #[unsafe(no_mangle)]

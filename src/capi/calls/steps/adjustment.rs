@@ -9,7 +9,7 @@ use crate::capi::context::state::{fmc_context, read, write};
 use crate::capi::structs::view::fmc_coords;
 use crate::contact::Adjustment;
 
-/// What was closed and removed by `fmc_context_adjust`.
+/// Gaps closed and overlaps removed by `fmc_context_adjust`.
 ///
 /// New fields take the place of reserved ones; the size of the struct does not change.
 #[repr(C)]
@@ -21,7 +21,7 @@ pub struct fmc_adjustment {
     pub closed: f64,
     /// Largest mean overlap of a surface point that was removed, a length.
     pub removed: f64,
-    /// Largest mean gap or overlap that these points have now: what a mean at points leaves between meshes that do not match.
+    /// Largest remaining mean gap or overlap of these points, which non-matching meshes cause.
     pub left: f64,
     /// Number of points that were moved.
     pub count: usize,
@@ -36,14 +36,14 @@ impl From<Adjustment> for fmc_adjustment {
     }
 }
 
-/// Closes gaps and removes overlaps at `coords` without strain: where the mean gap of a surface point to a partner
-/// (`fmc_context_gap_constraints`) is no more than `close`, or its overlap no more than `remove`, both lengths, the surface is taken to lie
-/// beside its nodes from then on, of two bodies each half of the way. Nodes and their strains stay. Any law, friction and self-contact go
-/// with it. What is asked of the context afterwards, gaps too, is that of surfaces that lie there. Points that were moved by an earlier
-/// call are moved on.
+/// Closes gaps and removes overlaps at `coords` without strain. It applies where the mean gap of a surface point to a partner
+/// (`fmc_context_gap_constraints`) is at most `close`, or its overlap at most `remove`, both lengths. There the surface is offset from its
+/// nodes from then on, with two bodies each by half of the distance. Nodes and their strains stay. It works with any law, friction and
+/// self-contact. All later results of the context, including gaps, refer to the offset surfaces. A later call adds to the offsets of an
+/// earlier one.
 ///
-/// An interference fit is brought on by parts: adjust, then before each load step give back a smaller part of `fmc_context_offsets` by
-/// `fmc_context_set_offsets`, at last none. Offsets do not turn with bodies.
+/// Apply an interference fit in steps: adjust, then before each load step set a smaller part of `fmc_context_offsets` by
+/// `fmc_context_set_offsets`, and none in the last. Offsets do not turn with bodies.
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NOT_POSITIVE` for a length that is negative or no number, `FMC_ERROR_UNSUPPORTED` for a mesh
 /// in parts, `FMC_ERROR_BUSY`; else as `fmc_context_gap_constraints`. Nothing has changed then. Threads: one call at a time on a context.
@@ -69,10 +69,10 @@ pub unsafe extern "C" fn fmc_context_adjust(
     })
 }
 
-/// How far the surface lies beside its nodes: `dim` numbers in dense rows for every node, with cells of second order for every point
+/// Offset of the surface from its nodes: `dim` numbers in dense rows for every node, with cells of second order for every point
 /// (`fmc_context_point_weights`), a length.
 ///
-/// `count` becomes how many numbers there are; `offsets` has room for `capacity`. NULL with capacity 0: that alone is asked for.
+/// `count` becomes their number; `offsets` has room for `capacity`. NULL with capacity 0: only the number is returned.
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_BUSY`; nothing is written then. Threads: several at once on one
 /// context, as long as no call changes it.
@@ -94,10 +94,12 @@ pub unsafe extern "C" fn fmc_context_offsets(
     })
 }
 
-/// Has the surface lie so far beside its nodes: `count` numbers, as `fmc_context_offsets` writes them; none: nowhere. No body slides by that.
+/// Sets the offset of the surface from its nodes: `count` numbers, as `fmc_context_offsets` writes them; none: no offset. This causes no
+/// slip.
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_LENGTH`, `FMC_ERROR_NON_FINITE_STIFFNESS` for a number that is not finite,
-/// `FMC_ERROR_UNSUPPORTED` for a mesh in parts, `FMC_ERROR_BUSY`; the old offsets then stay. Threads: one call at a time on a context.
+/// `FMC_ERROR_UNSUPPORTED` for a mesh in parts, `FMC_ERROR_BUSY`; the old offsets are then kept. Threads: one call at a time on a
+/// context.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_set_offsets(
     context: *mut fmc_context,

@@ -11,7 +11,7 @@ use crate::capi::context::state::{fmc_context, read, write};
 /// `fmc_context_cohesive_points`: two numbers for each, its damage, 0 to 1, and the energy by area that it has dissipated. With the
 /// coordinates it is all that a restart needs of them, but for friction and viscosity (`fmc_context_cohesive_history`).
 ///
-/// `count` becomes how many numbers there are; `damage` has room for `capacity`. NULL with capacity 0: that alone is asked for.
+/// `count` becomes their number; `damage` has room for `capacity`. NULL with capacity 0: only the number is returned.
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_UNTIED` as `fmc_context_cohesive`, `FMC_ERROR_BUSY`; nothing
 /// is written then. Threads: several at once on one context, as long as no call changes it.
@@ -59,7 +59,7 @@ pub unsafe extern "C" fn fmc_context_set_damage(
 /// step began, which is more than its damage says while viscosity holds damage back. All are 0 without friction and viscosity. A restart sets
 /// them with the damage.
 ///
-/// `count` becomes how many numbers there are; `history` has room for `capacity`. NULL with capacity 0: that alone is asked for.
+/// `count` becomes their number; `history` has room for `capacity`. NULL with capacity 0: only the number is returned.
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_UNTIED` as `fmc_context_cohesive`, `FMC_ERROR_BUSY`; nothing
 /// is written then. Threads: several at once on one context, as long as no call changes it.

@@ -9,10 +9,10 @@ use crate::capi::structs::view::fmc_coords;
 
 /// Begins a step with friction at `coords`, with the obstacles where they are: slip is counted from here. With friction
 /// this comes before the first evaluation, and `fmc_context_commit_step` after every step that is accepted, which begins
-/// the next. A step may be tried as often as the host likes: nothing has to be undone.
+/// the next. A step may be repeated any number of times: nothing has to be undone.
 ///
-/// Elastic slip that was carried so far stays; there is none at first. Where friction is on, what touches here is measured:
-/// a facet that touches later counts its slip from then on.
+/// Accumulated elastic slip is kept; there is none at first. With friction, the contact at `coords` is measured. A facet
+/// that touches later counts its slip from its first touch.
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_LENGTH`, `FMC_ERROR_STRIDE`, `FMC_ERROR_NON_FINITE_COORDINATE`,
 /// `FMC_ERROR_BUSY`; with friction as `fmc_context_evaluate`. Nothing has changed then. Threads: one call at a time on a context.
@@ -49,11 +49,12 @@ pub unsafe extern "C" fn fmc_context_commit_step(context: *mut fmc_context, coor
 
 /// Freezes the facets on which friction acts and their pressure as they are at `coords`, until the step is committed or this is
 /// called with `coords` NULL: forces of friction are then minus the gradient of a convex potential, and their tangent is
-/// symmetric and positive semidefinite. Repeated at what was found until nothing changes, this leads to the solution with
-/// the current pressure, and goes on where Newton's method on that fails, at large coefficients of friction.
+/// symmetric and positive semidefinite. Repeat this at the new solution until nothing changes: it converges to the solution
+/// with the current pressure. It also converges at large coefficients of friction, at which Newton's method with the current
+/// pressure fails.
 ///
-/// Errors: `FMC_ERROR_NO_STEP`; else as `fmc_context_evaluate`. What was frozen before then stays. Threads: one call at a
-/// time on a context.
+/// Errors: `FMC_ERROR_NO_STEP`; else as `fmc_context_evaluate`. Earlier frozen friction is then kept. Threads: one call
+/// at a time on a context.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_freeze_friction(
     context: *mut fmc_context,

@@ -10,7 +10,7 @@ use crate::capi::context::state::{fmc_context, read, write};
 /// What laws of friction of the host keep after the steps that were accepted (`fmc_context_commit_step`): for each row of `fmc_context_slip`, in its
 /// order, as many numbers as the law of its pair has, none without a law. With the slip it is all that a restart needs of them.
 ///
-/// `count` becomes how many numbers there are; `history` has room for `capacity`. NULL with capacity 0: that alone is asked for.
+/// `count` becomes their number; `history` has room for `capacity`. NULL with capacity 0: only the number is returned.
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_NO_STEP`, `FMC_ERROR_BUSY`; nothing is written then. Threads:
 /// several at once on one context, as long as no call changes it.

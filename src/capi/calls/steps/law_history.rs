@@ -10,7 +10,7 @@ use crate::capi::context::state::{fmc_context, read, write};
 /// The history of all points of interfaces by laws of the host after the steps that were accepted (`fmc_context_commit_step`), in the order of
 /// `fmc_context_law_points`: as many numbers for each as its law has. With the coordinates it is all that a restart needs of them.
 ///
-/// `count` becomes how many numbers there are; `history` has room for `capacity`. NULL with capacity 0: that alone is asked for.
+/// `count` becomes their number; `history` has room for `capacity`. NULL with capacity 0: only the number is returned.
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_UNTIED` as `fmc_context_law_points`, `FMC_ERROR_BUSY`; nothing is
 /// written then. Threads: several at once on one context, as long as no call changes it.

@@ -11,7 +11,7 @@ use crate::capi::structs::multiplier::fmc_multiplier;
 /// The multipliers, ascending by node and partner: with the coordinates all that a restart needs, or a load step that is tried
 /// again.
 ///
-/// `count` becomes their number; `rows` has room for `capacity`. NULL with capacity 0: the number alone is asked for.
+/// `count` becomes their number; `rows` has room for `capacity`. NULL with capacity 0: only the number is returned.
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_BUSY`. Threads: several at once on one
 /// context, as long as no call changes it.

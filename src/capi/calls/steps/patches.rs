@@ -8,13 +8,13 @@ use crate::capi::context::state::{fmc_context, write};
 use crate::capi::structs::view::fmc_coords;
 
 /// Finds the patches of the law "fiber" at `coords` and keeps the direction and the spacing of their lines for all
-/// later evaluations: a solver's forces are then the gradient of one energy. `coords` NULL releases them, and patches
-/// are found at every evaluation again, which is the default.
+/// later evaluations: a solver's forces are then the gradient of one energy. `coords` NULL releases them: every
+/// evaluation then finds its patches, which is the default.
 ///
 /// Call it at the start of a load step. Patches of pairs that do not overlap at `coords` are not kept, but found at
 /// every evaluation. `direction_count`, which may be NULL, receives the number of directions kept: 0 with other laws.
 ///
-/// Errors: as `fmc_context_evaluate`; what was kept then stays. Threads: one call at a time on a context.
+/// Errors: as `fmc_context_evaluate`; earlier patches are then kept. Threads: one call at a time on a context.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_keep_patches(
     context: *mut fmc_context,

@@ -16,7 +16,7 @@ use crate::capi::context::state::{fmc_context, read, write};
 /// second side of that pair, else 0; three of the slip of the facet, a length, in 2D the last 0; how far
 /// it has slid since it rested, with `static_coefficient`, else 0. Rows ascend by facet, partner and side.
 ///
-/// `count` becomes how many numbers there are; `slip` has room for `capacity`. NULL with capacity 0: that alone is asked for.
+/// `count` becomes their number; `slip` has room for `capacity`. NULL with capacity 0: only the number is returned.
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NO_STEP`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_BUSY`; nothing is written then.
 /// Threads: several at once on one context, as long as no call changes it.

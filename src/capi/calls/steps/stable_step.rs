@@ -7,15 +7,15 @@ use crate::capi::context::session::in_either;
 use crate::capi::context::state::{fmc_context, write};
 use crate::capi::structs::view::fmc_coords;
 
-/// Largest time step of central differences (leapfrog) for the contact alone, from the tangent at `coords`: 2/sqrt(q), q
-/// being a bound of the largest eigenvalue of M^-1 K, terms of rank one included, a few per cent above it. Infinite where
-/// nothing touches. `masses` are lumped masses, one for every node of the mesh, positive where a node feels contact, and
-/// infinite for nodes that the host holds. Obstacles are held.
+/// Largest time step of central differences (leapfrog) for the contact alone, from the tangent at `coords`: 2/sqrt(q).
+/// Here q is an upper bound of the largest eigenvalue of M^-1 K, including terms of rank one, a few per cent above it.
+/// Infinite where nothing touches. `masses` are lumped masses, one for every node of the mesh, positive where a node
+/// feels contact, and infinite for nodes that the host holds. Obstacles are held.
 ///
-/// A host whose own limit is h is stable with the step s, 1/s^2 = 1/h^2 + 1/step^2. The limit is that of the motion
-/// linearised at `coords`: contact that begins within a step is not in it, nor is the force of the law "volume" with an
-/// exponent below 2, which jumps. The tangent and the results that are kept stay. Unit: that of
-/// sqrt(mass * length / force).
+/// A host whose limit without contact is h is stable with the step s, 1/s^2 = 1/h^2 + 1/step^2. The limit holds for the
+/// motion linearised at `coords`. It includes neither contact that begins within a step, nor the force of the law
+/// "volume" with an exponent below 2, which jumps. The stored tangent and results are kept. Unit: sqrt(mass * length /
+/// force).
 ///
 /// Errors: as `fmc_context_tangent`, and `FMC_ERROR_NOT_POSITIVE_MASS`. Threads: one call at a time on a context.
 #[unsafe(no_mangle)]
@@ -41,13 +41,13 @@ pub unsafe extern "C" fn fmc_context_stable_step(
     })
 }
 
-/// Finds the stiffness of every pair without a law of its own from the nodes' masses and the largest time step, `limit`, that the bodies
-/// allow by themselves in central differences: with contact of whole faces the step becomes a tenth shorter. For hosts without a matrix,
-/// with the option `stiffness` 0. `masses` as for `fmc_context_stable_step`.
+/// Finds the stiffness of every pair without a separate law from the nodes' masses and `limit`, the largest time step of the bodies
+/// without contact in central differences. Contact of whole faces then makes the step a tenth shorter. For hosts without a matrix, with
+/// the option `stiffness` 0. `masses` as for `fmc_context_stable_step`.
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_LENGTH`, `FMC_ERROR_NOT_POSITIVE` for the limit, `FMC_ERROR_NOT_POSITIVE_MASS`,
-/// `FMC_ERROR_UNSUPPORTED` where the host holds every surface, `FMC_ERROR_BUSY`; what was found before then stays. Threads: one call at a
-/// time on a context.
+/// `FMC_ERROR_UNSUPPORTED` where the host holds every surface, `FMC_ERROR_BUSY`; the earlier stiffness is then kept. Threads: one call at
+/// a time on a context.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_stiffness_from_masses(
     context: *mut fmc_context,

@@ -15,18 +15,18 @@ use crate::capi::structs::view::fmc_coords;
 pub struct fmc_step_limit {
     /// Size of this struct, as the library wrote it.
     pub struct_size: usize,
-    /// Part of the step, at most 1, that no body passes another by: a factor for a step of Newton's method.
+    /// Part of the step, at most 1, in which no body passes through another: a factor for a step of Newton's method.
     pub part: f64,
-    /// Part of it at which the first gap closes, as far as gaps change with the slopes of now: what a host linearises holds up to
-    /// there. Infinite where none does.
+    /// Part of it at which the first gap closes, from the current slopes of the gaps: a linearisation holds up to there. Infinite
+    /// if no gap closes.
     pub first_touch: f64,
     /// Zero.
     pub reserved: [u64; 4],
 }
 
-/// How far the nodes at `coords` may go along `step`, a motion of every node in the same form, so that nothing passes through anything:
-/// surfaces come to overlap by half a facet at most, beyond what they do, and no body moves by more than half its thickness against the
-/// others. For hosts with an iteration of their own.
+/// How far the nodes at `coords` may move along `step`, a motion of every node in the same layout, so that no body passes through
+/// another. The overlap of surfaces grows by at most half a facet, and no body moves by more than half its thickness relative to
+/// another. For hosts that iterate themselves.
 ///
 /// Errors: as `fmc_context_gap_constraints`. Threads: one call at a time on a context.
 #[unsafe(no_mangle)]

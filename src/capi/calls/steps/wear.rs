@@ -72,7 +72,7 @@ pub unsafe extern "C" fn fmc_context_pair_wear(
 
 /// How far surfaces are worn off (`fmc_context_set_pair_wear`), a length for every node, in the order of `fmc_context_nodal_contact`; 0 at first.
 ///
-/// `count` becomes how many numbers there are; `depth` has room for `capacity`. NULL with capacity 0: that alone is asked for.
+/// `count` becomes their number; `depth` has room for `capacity`. NULL with capacity 0: only the number is returned.
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_NO_STEP` after `fmc_context_set_worn_facets` before
 /// `fmc_context_begin_step`, `FMC_ERROR_UNSUPPORTED` for a mesh in parts, `FMC_ERROR_BUSY`; nothing is written then. Threads: several at
@@ -97,7 +97,8 @@ pub unsafe extern "C" fn fmc_context_worn_depth(
 /// What every body has lost by wear: a volume, in 2D by unit of thickness, with axisymmetry that of rings. It is the integral of K p |s| dA of all
 /// steps that were accepted.
 ///
-/// `count` becomes the number of bodies; `volumes` has room for `capacity`. NULL with capacity 0: that alone is asked for.
+/// `count` becomes the number of bodies; `volumes` has room for `capacity`. NULL with capacity 0: only the number is
+/// returned.
 ///
 /// Errors: as `fmc_context_worn_depth`. Threads: several at once on one context, as long as no call changes it.
 #[unsafe(no_mangle)]
@@ -121,7 +122,7 @@ pub unsafe extern "C" fn fmc_context_worn_volumes(
 /// by its place in `fmc_context_boundary_facets` from 0 whatever the base; the node from 0, with cells of second order the point
 /// (`fmc_context_point_weights`); the depth against the normal of the facet; and the volume. Rows ascend by facet and point.
 ///
-/// `count` becomes how many numbers there are; `worn` has room for `capacity`. NULL with capacity 0: that alone is asked for.
+/// `count` becomes their number; `worn` has room for `capacity`. NULL with capacity 0: only the number is returned.
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_BUSY`; nothing is written then. Threads: several at once on
 /// one context, as long as no call changes it.

@@ -12,7 +12,8 @@ use std::ffi::c_void;
 /// Flag of `fmc_context_tangent_csr`: entries are blocks of dim x dim (BSR), rows and columns nodes.
 pub const FMC_CSR_BLOCKS: u32 = 4;
 
-/// Flag of `fmc_context_tangent_csr`: with rows and columns of the obstacles' translations, after those of the nodes.
+/// Flag of `fmc_context_tangent_csr`: with rows and columns of the obstacles' translations, after the rows of the
+/// nodes.
 pub const FMC_CSR_OBSTACLES: u32 = 8;
 
 /// The rows that a host has asked for.
@@ -69,17 +70,17 @@ impl<'a> Rows<'a> {
     }
 }
 
-/// The last tangent in compressed rows (CSR), without its terms of rank one, which `fmc_context_tangent_rank_one` gives:
-/// the entries of row r are those from `row_offsets[r]` to `row_offsets[r + 1]`, in ascending order of their columns
-/// `cols`, each column once. Rows and columns are degrees of freedom as in `fmc_context_tangent`; rows without entries are there too.
-/// Offsets and columns count from the option `index_base`. Before the first tangent there are no rows.
+/// The last tangent in compressed rows (CSR), without its terms of rank one (`fmc_context_tangent_rank_one`). Row r has the entries
+/// from `row_offsets[r]` to `row_offsets[r + 1]`, in ascending order of their columns `cols`, each column once. Rows and columns are
+/// degrees of freedom as in `fmc_context_tangent`; rows without entries are there too. Offsets and columns count from the option
+/// `index_base`. Before the first tangent there are no rows.
 ///
 /// `flags`: `FMC_CSR_BLOCKS`, for entries that are blocks, `values[(entry * dim + i) * dim + j]`, and rows and columns that
 /// are nodes; `FMC_CSR_OBSTACLES`.
 ///
-/// `offset_count` becomes the number of offsets, one more than there are rows, and `count` that of entries, which are numbers, or
+/// `offset_count` becomes the number of offsets, one more than there are rows, and `count` the number of entries, which are numbers, or
 /// blocks. `row_offsets` has room for `offset_capacity`, `cols` for `capacity`, and `values` for as many, or, with `FMC_CSR_BLOCKS`, for
-/// `capacity * dim * dim` numbers. An array that is NULL with capacity 0 is not written: its number alone is asked for.
+/// `capacity * dim * dim` numbers. An array that is NULL with capacity 0 is not written: only its number is returned.
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_UNKNOWN_FLAG`, `FMC_ERROR_BUFFER_TOO_SMALL`,
 /// `FMC_ERROR_LENGTH` where a number does not fit into the context's numbers, `FMC_ERROR_BUSY`; nothing is written then. Threads:
@@ -131,9 +132,9 @@ pub unsafe extern "C" fn fmc_context_tangent_csr(
     })
 }
 
-/// Keeps the pattern of `fmc_context_tangent_csr`, with `keep` 1: from the last tangent on it only grows, places that
-/// have no entry any more hold zeros, and as long as it has the same numbers of rows and entries, the pattern
-/// is the same too. So a host's matrix and its symbolic factorisation can stay during a load step. 0 releases it: every
+/// Keeps the pattern of `fmc_context_tangent_csr`, with `keep` 1: from the last tangent on it only grows, and places
+/// that no longer have an entry hold zeros. While the numbers of rows and entries stay the same, the pattern is the
+/// same too. So a host's matrix and its symbolic factorisation can stay during a load step. 0 releases it: every
 /// tangent has its own pattern, which is the default. Values, and the other functions of the tangent, do not change.
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BAD_VALUE` for another number, `FMC_ERROR_BUSY`. Threads: one call

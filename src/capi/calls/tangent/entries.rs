@@ -19,7 +19,7 @@ use std::ffi::c_void;
 /// far from a solution.
 pub const FMC_TANGENT_SEMIDEFINITE: u32 = 2;
 
-/// Flag of the same: without what makes it unsymmetric, that a frictional force grows with the pressure.
+/// Flag of both: without the unsymmetric part, the growth of frictional forces with the pressure.
 pub const FMC_TANGENT_SYMMETRIC: u32 = 32;
 
 /// The part that `flags` ask for, which may hold no other than the `known` ones.
@@ -38,23 +38,23 @@ pub(crate) fn part_of(flags: u32, known: u32) -> Result<TangentPart, Failure> {
 /// to the host's stiffness matrix. It is kept in the context until the next call, for `fmc_context_tangent_csr` and
 /// `fmc_context_tangent_entries`.
 ///
-/// Symmetric without friction. With it the tangent is UNSYMMETRIC, unless the friction is frozen: take LU or GMRES in
-/// place of Cholesky or conjugate gradients, or ask for `FMC_TANGENT_SYMMETRIC`, with which Newton's method takes more
-/// iterations, and fails sooner at large coefficients of friction. Rows and columns are degrees of freedom: axis a of the n-th node is
-/// the one number n * dim + a, n and a from 0, counted from the option `index_base`. The translation of obstacle o
-/// stands after the nodes, as node `node_count + o`: a host that loads an obstacle finds its stiffness there, others ignore rows
-/// and columns beyond those of the nodes. `rank_one_count`, which may be NULL, receives the number of terms of rank one, which couple
-/// all nodes of a pair: 0 for the laws "depth" and "fiber".
+/// The tangent is symmetric without friction. With friction it is UNSYMMETRIC, unless the friction is frozen: take LU or GMRES in
+/// place of Cholesky or conjugate gradients. Or ask for `FMC_TANGENT_SYMMETRIC`, with which Newton's method takes more iterations, and
+/// fails sooner at large coefficients of friction. Rows and columns are degrees of freedom: axis a of the n-th node is the one number
+/// n * dim + a, n and a from 0, counted from the option `index_base`. The translation of obstacle o follows the nodes, as node
+/// `node_count + o`. A host that loads an obstacle finds its stiffness there; other hosts ignore these rows and columns.
+/// `rank_one_count`, which may be NULL, receives the number of terms of rank one, which couple all nodes of a pair: 0 for the laws
+/// "depth" and "fiber".
 ///
 /// With the law "depth" it is the derivative of the forces of `fmc_context_evaluate`; with "fiber" it is with kept patches
 /// and `momentum_correction` 0; the momentum correction, which is small, is not differentiated. `flags`: 0,
 /// `FMC_TANGENT_SYMMETRIC` or `FMC_TANGENT_SEMIDEFINITE`, which is symmetric too.
 ///
-/// Newton's method, without a line search, with the law "depth" and k = 10 E / h (modulus E, facets of size h): let what
-/// a load step prescribes move with the first solve, which has the tangent of the last equilibrium. Where the pressure
-/// k * penetration of an iterate exceeds E / 10, and twice that of the last equilibrium, lower the option `stiffness` so that
-/// it does not, raise it at least fourfold in every iteration, and take `FMC_TANGENT_SEMIDEFINITE` until it is k again; else take the
-/// full tangent. docs/newton.md has the loop, and the iterations it takes on five problems.
+/// Newton's method, without a line search, with the law "depth" and k = 10 E / h (modulus E, facets of size h): apply prescribed
+/// displacements in the first solve, with the tangent of the last equilibrium. If the pressure k * penetration of an iterate exceeds
+/// both E / 10 and twice the pressure of the last equilibrium, lower the option `stiffness` until it does not. Then raise it at least
+/// fourfold in every iteration, and take `FMC_TANGENT_SEMIDEFINITE` until it is k again. Else take the full tangent. docs/newton.md
+/// has the loop, and its iterations on five problems.
 ///
 /// Errors: as `fmc_context_evaluate`; `FMC_ERROR_UNSUPPORTED` for a law or an estimator without tangent. Threads: one
 /// call at a time on a context.
@@ -82,10 +82,10 @@ pub unsafe extern "C" fn fmc_context_tangent(
     })
 }
 
-/// The entries of the tangent, each with another row or column: entry i is `values[i]` at row `rows[i]` and column `cols[i]`, ordered
-/// by row and column of their nodes.
+/// The entries of the tangent, one for each pair of row and column: entry i is `values[i]` at row `rows[i]` and column `cols[i]`,
+/// ordered by row and column of their nodes.
 ///
-/// `count` becomes their number; the arrays have room for `capacity`. All three NULL with capacity 0: the number alone is asked for.
+/// `count` becomes their number; the arrays have room for `capacity`. All three NULL with capacity 0: only the number is returned.
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_LENGTH` where there are more degrees of
 /// freedom than the context's numbers have room for, `FMC_ERROR_BUSY`; nothing is written then. Threads: several at once on one
