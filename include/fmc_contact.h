@@ -10,24 +10,23 @@
  *
  * The life of a context in ten calls; each section of this header is headed by a line of dashes, in the order of use:
  *
- *    1. fmc_options_init             options, of which at least `stiffness` is set
- *    2. fmc_context_new_from_cells   a mesh becomes a context
+ *    1. fmc_options_init             options; set at least `stiffness`
+ *    2. fmc_context_new_from_cells   makes a context from a mesh
  *    3. fmc_context_add_obstacle     rigid shapes, as many as there are
  *    4. fmc_context_evaluate         forces at coordinates, in every iteration
  *    5. fmc_context_tangent_csr      their derivative, in the host's rows, after fmc_context_tangent
  *    6. fmc_context_begin_step       friction: a load step begins
- *    7. fmc_context_commit_step      and is accepted
+ *    7. fmc_context_commit_step      and the host accepts it
  *    8. fmc_context_nodal_contact    outputs: pressure, gap, area, normal, friction at every node
- *    9. fmc_context_slip             what a restart needs beside the coordinates; fmc_context_set_slip takes it back
+ *    9. fmc_context_slip             state for a restart, with the coordinates; fmc_context_set_slip restores it
  *   10. fmc_context_free             the end
  *
- * Conventions. Every function that can fail returns a status, 0 for success; outputs are written only on success, and
- * after an error a context is as it was before the call. Arrays belong to the host and are not kept. Where a length is
- * zero, its pointer is not read. Lists of nodes, cells, bodies' ids and degrees of freedom, `void *`, have numbers of 4 or 8
- * bytes, as `index_size` of the mesh's blocks says. The option `index_base`, 0 or 1, is what nodes, cells, facets, degrees of
- * freedom, rows and columns count from, in all that goes in and comes out, and in messages; bodies, obstacles, pairs and warnings
- * count from 0. Forces push bodies apart. The library never prints, exits or unwinds. Another thread
- * must not change memory passed to a call while it runs.
+ * Conventions. Every function that can fail returns a status, 0 for success. Outputs are written only on success, and an
+ * error leaves the context unchanged. Arrays belong to the host and are not kept. Where a length is zero, its pointer is not
+ * read. Lists of nodes, cells, bodies' ids and degrees of freedom, `void *`, have numbers of 4 or 8 bytes, as given by
+ * `index_size` of the mesh's blocks. Nodes, cells, facets, degrees of freedom, rows and columns count from the option
+ * `index_base`, 0 or 1, in input, output and messages. Bodies, obstacles, pairs and warnings count from 0. Forces push bodies
+ * apart. The library never prints, exits or unwinds. Another thread must not change memory passed to a call while it runs.
  *
  * Generated from the Rust sources; do not edit.
  */
@@ -293,10 +292,10 @@ typedef enum {
 typedef struct {
   // Set by `fmc_options_init`, so that a struct that was not initialised is recognised.
   size_t struct_size;
-  // k > 0. 0, the default, with the laws "depth" and "fiber": `fmc_equilibrium_next` finds it from the bodies' matrix; until then nothing can
-  // be evaluated (`FMC_ERROR_NO_STIFFNESS`). For the laws "depth" and "fiber" a pressure per length (Pa/m): the pressure is k times the penetration;
-  // see `fmc_suggest_stiffness`. For the law "volume" with `exponent` 1 it is a pressure (Pa) in 2D and 3D,
-  // and must exceed the peak contact pressure; in general energy / (length^dim)^m.
+  // k > 0. 0, the default, with the laws "depth" and "fiber": `fmc_equilibrium_next` finds it from the bodies' matrix; until then
+  // nothing can be evaluated (`FMC_ERROR_NO_STIFFNESS`). For the laws "depth" and "fiber" a pressure per length (Pa/m): the pressure is
+  // k times the penetration; see `fmc_suggest_stiffness`. For the law "volume" with `exponent` 1 it is a pressure (Pa) in 2D and 3D, and
+  // must exceed the peak contact pressure; in general energy / (length^dim)^m.
   double stiffness;
   // m >= 1, for the law "volume" only. Default 1.
   double exponent;
@@ -698,8 +697,8 @@ fmc_status fmc_context_set_surface_smoothing(fmc_context *context,
 // quadrilateral face all four, of one of second order all its parts. They may belong to several bodies. `surface` becomes the number of
 // the part: 1, 2, ... It does not depend on the reference coordinates.
 //
-// Errors: `FMC_ERROR_NULL_POINTER`; `FMC_ERROR_BAD_VALUE` for a facet that does not exist, naming its entry; `FMC_ERROR_UNSUPPORTED` without
-// facets and for a mesh in parts, `FMC_ERROR_BUSY`. Nothing changes then. Threads: one call at a time on a context.
+// Errors: `FMC_ERROR_NULL_POINTER`; `FMC_ERROR_BAD_VALUE` for a facet that does not exist, naming its entry; `FMC_ERROR_UNSUPPORTED`
+// without facets and for a mesh in parts, `FMC_ERROR_BUSY`. Nothing changes then. Threads: one call at a time on a context.
 fmc_status fmc_context_add_surface(fmc_context *context,
                                    const size_t *facets,
                                    size_t count,
@@ -1041,8 +1040,8 @@ typedef struct {
 typedef struct {
   // Set by `fmc_ppr_init`, so that a struct that was not initialised is recognised.
   size_t struct_size;
-  // Shape alpha of softening in opening, above 1: below 2 the traction falls late, about 2 along a line, above it early with a long tail.
-  // Default 2.
+  // Shape alpha of softening in opening, above 1: below 2 the traction falls late, about 2 along a line, above it early with a long
+  // tail. Default 2.
   double normal_shape;
   // Shape beta of sliding. Default 2.
   double shear_shape;
@@ -1073,8 +1072,8 @@ typedef struct {
   size_t partner;
   // Duration of the step (`fmc_context_set_time_step`); 0: not set.
   double time_step;
-  // Lengths, (count, dim): the opening beyond the initial gap, along the normal of `partner`, negative in compression; then the slip of
-  // `body` along the axes in the plane of the facet of `partner`.
+  // Lengths, (count, dim). First the opening beyond the initial gap, along the normal of `partner`, negative in compression; then the
+  // slip of `body` along the axes in the plane of the facet of `partner`.
   const double *jump;
   // Normal of `partner` and tangential axes, by rows, (count, dim, dim), orthonormal. In 2D the axis is the normal turned by +90
   // degrees. In 3D the first is the x axis projected into the undeformed facet (the z axis, where the normal is within 0.1 degrees of
@@ -1256,10 +1255,10 @@ fmc_status fmc_pair_options_init(fmc_pair_options *options);
 // Errors: `FMC_ERROR_NULL_POINTER`; `FMC_ERROR_BODY_OUT_OF_RANGE`, `FMC_ERROR_OBSTACLE_OUT_OF_RANGE` and
 // `FMC_ERROR_OBSTACLE_REMOVED`, naming the index; `FMC_ERROR_BAD_VALUE` for an unknown kind or value, `FMC_ERROR_OPTIONS_CONFLICT` for an
 // option that would have no effect; `FMC_ERROR_RESERVED_FIELD`; `FMC_ERROR_STRUCT_SIZE`; `FMC_ERROR_NOT_POSITIVE`. `FMC_ERROR_UNSUPPORTED`
-// for two obstacles, for a law that the estimator of the context does not support, for a gap offset between bodies that is positive or has
-// another law than "depth", and for a pair with wear coefficients (`fmc_context_set_pair_wear`) that cannot wear with these options.
-// `FMC_ERROR_UNTIED` for tied bodies that face one another nowhere within reach, `FMC_ERROR_BUSY`. The earlier options are then kept.
-// `fmc_context_set_options` refuses an estimator that does not support the law of a pair. Threads: one call at a time on a context.
+// for two obstacles, for a law that the estimator of the context does not support, and for a gap offset between bodies that is positive or
+// has another law than "depth". The same for a pair with wear coefficients (`fmc_context_set_pair_wear`) that cannot wear with these
+// options. `FMC_ERROR_UNTIED` for tied bodies that face one another nowhere within reach, `FMC_ERROR_BUSY`. The earlier options are then
+// kept. `fmc_context_set_options` refuses an estimator that does not support the law of a pair. Threads: one call at a time on a context.
 fmc_status fmc_context_set_pair_options(fmc_context *context,
                                         int32_t a_kind,
                                         size_t a,
@@ -1287,14 +1286,14 @@ fmc_status fmc_context_pair_options(const fmc_context *context,
 // Errors: `FMC_ERROR_NULL_POINTER`. Threads: any, on different structs.
 fmc_status fmc_orthotropic_friction_init(fmc_orthotropic_friction *friction);
 
-// Sets the options of a pair as `fmc_context_set_pair_options` does, with another coefficient of friction across a direction. In 3D, of two
-// bodies or of a body and an obstacle. `fmc_context_set_pair_options` takes it back.
+// Sets the options of a pair as `fmc_context_set_pair_options` does, with another coefficient of friction across a direction. In 3D, of
+// two bodies or of a body and an obstacle. `fmc_context_set_pair_options` takes it back.
 //
 // Errors: as `fmc_context_set_pair_options`; `FMC_ERROR_NOT_POSITIVE` for a coefficient that is negative or not finite, for an entry of
 // the direction that is not finite, which the text names, and for a direction of length 0. `FMC_ERROR_BAD_VALUE` for a `direction_of`
-// other than 0 and 1. `FMC_ERROR_UNSUPPORTED` in 2D, for a body with itself, for a direction of a body without cells, in a mesh in parts,
-// with an infinite coefficient, a cohesion or a shear limit, and for a `static_coefficient` without a `friction_coefficient`. The earlier
-// options are then kept. Threads: one call at a time on a context.
+// other than 0 and 1. `FMC_ERROR_UNSUPPORTED` in 2D, for a body with itself, for a direction of a body without cells, and in a mesh in
+// parts. The same with an infinite coefficient, a cohesion, a shear limit, or a `static_coefficient` without a `friction_coefficient`.
+// The earlier options are then kept. Threads: one call at a time on a context.
 fmc_status fmc_context_set_orthotropic_pair(fmc_context *context,
                                             int32_t a_kind,
                                             size_t a,
@@ -1303,8 +1302,8 @@ fmc_status fmc_context_set_orthotropic_pair(fmc_context *context,
                                             const fmc_pair_options *options,
                                             const fmc_orthotropic_friction *friction);
 
-// The coefficient of friction of a pair across a direction, as `fmc_context_set_orthotropic_pair` has set it, with `direction_of` in the order
-// of this call. Of a pair whose friction is the same in all directions the direction is 0.
+// The coefficient of friction of a pair across a direction, as `fmc_context_set_orthotropic_pair` has set it, with `direction_of` in the
+// order of this call. Of a pair whose friction is the same in all directions the direction is 0.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BODY_OUT_OF_RANGE`, `FMC_ERROR_OBSTACLE_OUT_OF_RANGE`,
 // `FMC_ERROR_OBSTACLE_REMOVED`, `FMC_ERROR_BAD_VALUE` for an unknown kind, `FMC_ERROR_UNSUPPORTED` for two
@@ -1356,9 +1355,9 @@ fmc_status fmc_own_law_init(fmc_own_law *law);
 // compares the tangents with differences of the tractions, to 1e-6 of the largest entry. Corners of a law, where damage begins, are
 // recognised.
 //
-// `scale` is a jump over which the tractions change, such as the opening at which damage begins, a length; differences have steps of 1e-6 of it.
-// `jump` has `jump_count` jumps of `dim` numbers at which to check; NULL with 0: 60 that the library spreads over -scale/4 ... scale along
-// the normal and -scale ... scale across it. The history is 0, and then the result of other jumps. `time_step` 0: not set.
+// `scale` is a jump over which the tractions change, such as the opening at which damage begins, a length; differences have steps of 1e-6
+// of it. `jump` has `jump_count` jumps of `dim` numbers at which to check; NULL with 0: 60 that the library spreads over -scale/4 ...
+// scale along the normal and -scale ... scale across it. The history is 0, and then the result of other jumps. `time_step` 0: not set.
 //
 // `tell` may be NULL; else it receives a sentence for each check, with level `FMC_LOG_WARNING` for a fault, else 0.
 //
@@ -1374,8 +1373,8 @@ fmc_status fmc_own_law_check(const fmc_own_law *law,
                              fmc_log_callback tell,
                              void *user);
 
-// Sets fields that laws of the host are asked with at their points, such as a temperature: `field_count` numbers for each of `row_count` rows of
-// the coordinates, all of a row together, (row_count, field_count). They stay until others are set; `field_count` 0: none.
+// Sets fields that laws of the host are asked with at their points, such as a temperature: `field_count` numbers for each of `row_count`
+// rows of the coordinates, all of a row together, (row_count, field_count). They stay until others are set; `field_count` 0: none.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_LENGTH` for another number of rows than coordinates have, `FMC_ERROR_NOT_POSITIVE` for a
 // number that is not finite, `FMC_ERROR_BUSY`; the old fields are then kept. Threads: one call at a time on a context.
@@ -1384,8 +1383,8 @@ fmc_status fmc_context_set_law_fields(fmc_context *context,
                                       size_t row_count,
                                       size_t field_count);
 
-// Sets the options of a pair as `fmc_context_set_pair_options` does, whose interface is `FMC_INTERFACE_LAW`, with the law. The history of its
-// points begins with zeros. `fmc_context_set_pair_options` with the same interface keeps law and history.
+// Sets the options of a pair as `fmc_context_set_pair_options` does, whose interface is `FMC_INTERFACE_LAW`, with the law. The history of
+// its points begins with zeros. `fmc_context_set_pair_options` with the same interface keeps law and history.
 //
 // The tangent is symmetric only if the tangent of the law is. Unless the law has a potential, take the full tangent and an
 // unsymmetric solver.
@@ -1439,7 +1438,7 @@ fmc_status fmc_context_set_friction_law_pair(fmc_context *context,
                                              const fmc_pair_options *options,
                                              const fmc_friction_law *law);
 
-// ---- Evaluate: forces and what belongs to them -----------------------------------------------------------
+// ---- Evaluate: forces, totals and warnings ---------------------------------------------------------------
 
 // Flag of `fmc_context_evaluate` and `fmc_context_evaluate_tangent`: add the forces to the host's array instead of
 // overwriting it.
@@ -1585,9 +1584,9 @@ typedef struct {
   double volume_standard_error;
   // Energy.
   double energy;
-  // Mean of the contact pressure over the contact: with the law "volume" dw/dV, one value for the whole pair; with
-  // "fiber" psi'(L), the mean over its lines; with "depth" k times the depth of either surface below the other, the
-  // mean over both.
+  // Mean of the contact pressure over the contact. With the law "volume" it is dw/dV, one value for the whole pair;
+  // with "fiber" the mean of psi'(L) over its lines. With "depth" it is k times the mean depth of either surface
+  // below the other, over both.
   double pressure;
   // Area of contact (2D: length): half of the boundary of the overlap, including the strips of penetrating side
   // walls. The law "fiber" does not see strips along its lines; with "depth" and an obstacle it is the surface of
@@ -1769,7 +1768,8 @@ fmc_status fmc_context_keep_pattern(fmc_context *context, int32_t keep);
 // `fmc_context_evaluate` and `fmc_context_tangent` at the same coordinates, in little more than the time of the second:
 // bodies are measured once. All results are bit-for-bit identical to the two calls, and are kept in the same way.
 //
-// `flags`: `FMC_EVALUATE_ADD`, `FMC_TANGENT_SEMIDEFINITE` and `FMC_TANGENT_SYMMETRIC`. All outputs may be NULL, and are written only on success.
+// `flags`: `FMC_EVALUATE_ADD`, `FMC_TANGENT_SEMIDEFINITE` and `FMC_TANGENT_SYMMETRIC`. All outputs may be NULL, and are written only on
+// success.
 //
 // Errors: as both calls. Threads: one call at a time on a context.
 fmc_status fmc_context_evaluate_tangent(fmc_context *context,
@@ -1832,11 +1832,11 @@ fmc_status fmc_context_begin_step(fmc_context *context,
 fmc_status fmc_context_commit_step(fmc_context *context,
                                    const fmc_coords *coords);
 
-// Freezes the facets on which friction acts and their pressure as they are at `coords`, until the step is committed or this is
-// called with `coords` NULL: forces of friction are then minus the gradient of a convex potential, and their tangent is
-// symmetric and positive semidefinite. Repeat this at the new solution until nothing changes: it converges to the solution
-// with the current pressure. It also converges at large coefficients of friction, at which Newton's method with the current
-// pressure fails.
+// Freezes the facets on which friction acts, and their pressure, as they are at `coords`. This holds until the step is
+// committed, or until a call with `coords` NULL. Forces of friction are then minus the gradient of a convex potential, and
+// their tangent is symmetric and positive semidefinite. Repeat this at the new solution until nothing changes: it converges to
+// the solution with the current pressure. It also converges at large coefficients of friction, at which Newton's method with
+// the current pressure fails.
 //
 // Errors: `FMC_ERROR_NO_STEP`; else as `fmc_context_evaluate`. Earlier frozen friction is then kept. Threads: one call
 // at a time on a context.
@@ -1917,8 +1917,9 @@ typedef struct {
 // Apply an interference fit in steps: adjust, then before each load step set a smaller part of `fmc_context_offsets` by
 // `fmc_context_set_offsets`, and none in the last. Offsets do not turn with bodies.
 //
-// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NOT_POSITIVE` for a length that is negative or no number, `FMC_ERROR_UNSUPPORTED` for a mesh
-// in parts, `FMC_ERROR_BUSY`; else as `fmc_context_gap_constraints`. Nothing has changed then. Threads: one call at a time on a context.
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NOT_POSITIVE` for a length that is negative or no number, `FMC_ERROR_UNSUPPORTED` for a
+// mesh in parts, `FMC_ERROR_BUSY`; else as `fmc_context_gap_constraints`. Nothing has changed then. Threads: one call at a time on a
+// context.
 fmc_status fmc_context_adjust(fmc_context *context,
                               const fmc_coords *coords,
                               double close,
@@ -1930,8 +1931,8 @@ fmc_status fmc_context_adjust(fmc_context *context,
 //
 // `count` becomes their number; `offsets` has room for `capacity`. NULL with capacity 0: only the number is returned.
 //
-// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_BUSY`; nothing is written then. Threads: several at once on one
-// context, as long as no call changes it.
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_BUSY`; nothing is written then. Threads: several at once on
+// one context, as long as no call changes it.
 fmc_status fmc_context_offsets(const fmc_context *context,
                                double *offsets,
                                size_t capacity,
@@ -1947,7 +1948,7 @@ fmc_status fmc_context_set_offsets(fmc_context *context,
                                    const double *offsets,
                                    size_t count);
 
-// ---- As little penetration as is wanted ------------------------------------------------------------------
+// ---- Penetration tolerance (method of multipliers) -------------------------------------------------------
 
 // Results of `fmc_context_augment`, at the coordinates of its call.
 typedef struct {
@@ -2108,8 +2109,8 @@ typedef struct {
   size_t unknown_count;
   // Number of rows of coordinates, as the context has them.
   size_t row_count;
-  // Unknown of every coordinate, `row_count * dim` numbers by row, wide as `index_size` of the mesh says and counted from
-  // `index_base`; any number below that for a coordinate that never moves.
+  // Unknown of every coordinate, `row_count * dim` numbers by row, of the mesh's `index_size` and counted from
+  // `index_base`. A coordinate that never moves has any number below `index_base`.
   const void *unknown_of_coordinate;
   // Coordinates where all unknowns are zero, `row_count * dim` numbers by row.
   const double *base;
@@ -2351,7 +2352,7 @@ typedef struct {
   int32_t state;
   // Linear systems solved.
   int32_t iterations;
-  // Evaluations of the contact, without those of its tangent.
+  // Evaluations of the contact forces alone, without evaluations of the tangent.
   size_t evaluation_count;
   // Degrees of freedom outside the list on which contact acts.
   size_t outside_count;
@@ -2391,10 +2392,10 @@ fmc_status fmc_contact_step_options_init(fmc_contact_step_options *options);
 // Results and tangent in the context remain those from earlier calls. Dense factors of `dof_count` equations are made in every
 // iteration: some 500 take tenths of a second.
 //
-// Errors: as `fmc_context_tangent` at `coords`; `FMC_ERROR_DOF_OUT_OF_RANGE`, `FMC_ERROR_REPEATED_DOF`,
-// `FMC_ERROR_NON_FINITE_STIFFNESS`, `FMC_ERROR_NOT_POSITIVE`, `FMC_ERROR_BAD_VALUE`, `FMC_ERROR_STRUCT_SIZE` and `FMC_ERROR_RESERVED_FIELD` for the options,
-// `FMC_ERROR_SINGULAR_STIFFNESS` and `FMC_ERROR_INDEFINITE_STIFFNESS` for bodies and contact together, `FMC_ERROR_PLACE`. Threads:
-// one call at a time on a context.
+// Errors: as `fmc_context_tangent` at `coords`; `FMC_ERROR_DOF_OUT_OF_RANGE`, `FMC_ERROR_REPEATED_DOF`, `FMC_ERROR_NON_FINITE_STIFFNESS`,
+// `FMC_ERROR_NOT_POSITIVE`, `FMC_ERROR_BAD_VALUE`, `FMC_ERROR_STRUCT_SIZE` and `FMC_ERROR_RESERVED_FIELD` for the options,
+// `FMC_ERROR_SINGULAR_STIFFNESS` and `FMC_ERROR_INDEFINITE_STIFFNESS` for bodies and contact together, `FMC_ERROR_PLACE`. Threads: one
+// call at a time on a context.
 fmc_status fmc_context_contact_step(fmc_context *context,
                                     const fmc_coords *coords,
                                     const fmc_contact_step_options *options,
@@ -2425,10 +2426,11 @@ fmc_status fmc_condensation_free(fmc_condensation **condensation);
 // ascends. The other equations have to be positive definite: bodies are supported, or would be if the retained equations were fixed.
 // The symbolic factorisation is kept for the next matrix of the same pattern, which then takes less time.
 //
-// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_MISALIGNED_POINTER`, `FMC_ERROR_STRUCT_SIZE`, `FMC_ERROR_RESERVED_FIELD`, `FMC_ERROR_INDEX_SIZE`,
-// `FMC_ERROR_LENGTH`, `FMC_ERROR_DOF_OUT_OF_RANGE`, `FMC_ERROR_REPEATED_DOF`, `FMC_ERROR_NON_FINITE_STIFFNESS`, `FMC_ERROR_UNSYMMETRIC`,
-// which all keep the earlier factors. `FMC_ERROR_NOT_POSITIVE_DEFINITE` and `FMC_ERROR_OVERFLOW`, which discard them.
-// `FMC_ERROR_UNSUPPORTED` if the library lacks the feature "solver"; `FMC_ERROR_BUSY`. Threads: one call at a time on a condensation.
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_MISALIGNED_POINTER`, `FMC_ERROR_STRUCT_SIZE`, `FMC_ERROR_RESERVED_FIELD`,
+// `FMC_ERROR_INDEX_SIZE`, `FMC_ERROR_LENGTH`, `FMC_ERROR_DOF_OUT_OF_RANGE`, `FMC_ERROR_REPEATED_DOF`, `FMC_ERROR_NON_FINITE_STIFFNESS`,
+// `FMC_ERROR_UNSYMMETRIC`, which all keep the earlier factors. `FMC_ERROR_NOT_POSITIVE_DEFINITE` and `FMC_ERROR_OVERFLOW`, which discard
+// them. `FMC_ERROR_UNSUPPORTED` if the library lacks the feature "solver"; `FMC_ERROR_BUSY`. Threads: one call at a time on a
+// condensation.
 fmc_status fmc_condensation_factorise(fmc_condensation *condensation,
                                       const fmc_csr *matrix,
                                       const void *retained,
@@ -2510,7 +2512,8 @@ typedef struct {
   size_t struct_size;
   // Contact pressure: the nodal force by the area on which it acts, |F| / int N dA.
   double *pressure;
-  // Minus the penetration, the mean over the same part, and never positive: distances of what is apart are not measured.
+  // Minus the penetration, the mean over the same part, and never positive: distances of separated surfaces are not
+  // measured.
   double *gap;
   // Area (2D: length) on which it acts: int N dA over the part of the facets at the node that is in contact, N being the node's
   // shape function. Never more than the node's part of the surface.
@@ -2524,14 +2527,14 @@ typedef struct {
   // Values of `fmc_node_status`.
   int32_t *status;
   // The mean of the law's pressure over the same part, weighted with the node's shape function, int N p dA / int N dA; with the law
-  // "volume" that of the pair. On curved surfaces it scatters more than `pressure`.
+  // "volume" the pressure of the pair. On curved surfaces it scatters more than `pressure`.
   double *local_pressure;
   // Zero. Room for outputs of later versions.
   uint64_t reserved[8];
 } fmc_nodal_contact;
 
 // One end of a contact point: where, and the shape functions of the boundary face, or of the cell, there. With cells of second
-// order those of the straight face or cell of their division.
+// order they belong to the straight face or cell of the division.
 typedef struct {
   // A value of `fmc_partner`.
   int32_t kind;
@@ -2551,11 +2554,11 @@ typedef struct {
   double position[3];
 } fmc_contact_side;
 
-// A point of the contact, and the area for which it stands.
+// A point of the contact, and its tributary area.
 //
-// With the law "fiber" it is a piece of a line inside both sides of a pair, from the boundary of one to that of the other.
-// With the law "depth" it is the centre of the pressure on what a facet has inside the other side; facets of both bodies
-// are pressed, each for half of its area, facets against an obstacle for all of it.
+// With the law "fiber" it is a piece of a line inside both sides of a pair, between their boundaries. With the law "depth"
+// it is the centre of the pressure on the part of a facet inside the other side. Facets of both bodies are pressed, each
+// with half of its area, facets against an obstacle with all of it.
 typedef struct {
   // Size of this struct, as the library wrote it.
   size_t struct_size;
@@ -2564,7 +2567,7 @@ typedef struct {
   size_t patch;
   // Middle of the piece, or the centre of pressure; in 2D the last entry is 0.
   double position[3];
-  // Unit vector along the line, or that of the facet, outwards of the first side; in 2D the last entry is 0.
+  // Unit vector along the line, or normal of the facet, outwards of the first side; in 2D the last entry is 0.
   double normal[3];
   // Minus the penetration: the length of the piece; the mean depth of the facet's part below the other surface.
   double gap;
@@ -2575,8 +2578,8 @@ typedef struct {
   // Traction of friction on the first side, the sum of friction * area being its resultant there; in 2D the last entry
   // is 0.
   double friction[3];
-  // Slip of the first side against the second since the step began, without what is elastic: that of the facets on
-  // which the point lies; in 2D the last entry is 0.
+  // Slip of the first side against the second since the step began, without its elastic part, at the facets on which
+  // the point lies; in 2D the last entry is 0.
   double slip[3];
   // Part of the area that slides: 0 where the point sticks, 0.5 where one of its two facets does, else 1.
   double sliding;
@@ -2587,18 +2590,19 @@ typedef struct {
   uint64_t reserved[8];
 } fmc_contact_point;
 
-// The weighted gap of a node of one body over the surface of one partner: gap = int N phi dA over what the facets of the
-// node have nearer than the reach and facing the partner, within 60 degrees of the way to its nearest point. N is the shape
-// function of the node, phi the distance from the partner's surface, negative inside. Contact is gap >= 0.
+// The weighted gap of a node of one body over the surface of one partner: gap = int N phi dA over a part of the facets of
+// the node. This part is nearer than the reach, and faces the partner within 60 degrees of the direction to its nearest
+// point. N is the shape function of the node, phi the distance from the partner's surface, negative inside. Contact is gap
+// >= 0.
 //
-// With cells of second order a row is that of a point of their division, and N is its straight shape function, which is
-// positive everywhere; that of a node would not be, and its integral at the corner of a face may vanish. Multipliers are
-// then pressures at points; the derivative is that by nodes.
+// With cells of second order a row belongs to a point of their division, and N is its straight shape function, which is
+// positive everywhere. The shape function of a node is not, and its integral at the corner of a face may vanish.
+// Multipliers are then pressures at points; the derivative is that by nodes.
 typedef struct {
   // Size of this struct, as the library wrote it.
   size_t struct_size;
   // The node, counted from the option `index_base`; with cells of second order the point, see
-  // `fmc_context_point_weights`: from the node count on it is no node.
+  // `fmc_context_point_weights`: numbers from the node count on are not nodes.
   int64_t node;
   // Its body, an index for `fmc_context_body_resultant`.
   size_t body;
@@ -2624,15 +2628,16 @@ typedef struct {
   double area;
   // The largest gap, or overlap, that is kept between the surfaces, a length.
   double largest_gap;
-  // Number of means of the jump that are held: of nodes of the side that holds, mostly that with the larger facets.
+  // Number of means of the jump that are held: one for each node of the holding side, mostly the side with the
+  // larger facets.
   size_t node_count;
-  // How far apart faces might be, or how far they might overlap, a length: as it was given, or what it is by default.
+  // Largest distance or overlap of tied faces, a length: as given, or its default.
   double reach;
   // Zero.
   uint64_t reserved[3];
 } fmc_tie;
 
-// A node of a tie, of the side that holds, mostly that with the larger facets.
+// A node of a tie, on the holding side, mostly the side with the larger facets.
 typedef struct {
   // Size of this struct, as the library wrote it.
   size_t struct_size;
@@ -2641,38 +2646,38 @@ typedef struct {
   int64_t node;
   // Its body, an index for `fmc_context_body_resultant`.
   size_t body;
-  // The body that it is tied to.
+  // The body to which it is tied.
   size_t partner;
-  // Area that it stands for.
+  // Its tributary area.
   double area;
   // Traction on its body, force by area; in 2D the last is 0.
   double traction[3];
-  // Mean of how far its body has moved away from the other one, a length; in 2D the last is 0.
+  // Mean separation of its body from the other one, a length; in 2D the last is 0.
   double jump[3];
   // Zero.
   uint64_t reserved[4];
 } fmc_tie_node;
 
-// Conductance h of a contact: flux by area and jump of the field, for heat W/(m^2 K). Tables are linear between their entries, and of the
-// length that is said.
+// Conductance h of a contact: flux by area and jump of the field, for heat W/(m^2 K). Tables are linear between their entries; each has
+// its own length.
 //
 // New fields take the place of reserved ones; the size of the struct does not change.
 typedef struct {
   // Set by `fmc_conductance_init`, so that a struct that was not initialised is recognised.
   size_t struct_size;
-  // Number of entries by pressure, where surfaces touch; 1 for a constant, 0 where nothing flows.
+  // Number of entries by pressure, where surfaces touch; 1 for a constant, 0 for no flux.
   size_t pressure_count;
-  // Pressures, ascending, not negative. Before the first and beyond the last h stays as it is there.
+  // Pressures, ascending, not negative. h is constant before the first and beyond the last.
   const double *pressures;
   // h at these pressures, not negative.
   const double *by_pressure;
-  // Number of entries by gap, where surfaces are apart; 0 where nothing flows.
+  // Number of entries by gap, where surfaces are apart; 0 for no flux.
   size_t gap_count;
-  // Gaps, ascending, not negative. Before the first h stays as it is there; beyond the last nothing flows.
+  // Gaps, ascending, not negative. h is constant before the first; beyond the last there is no flux.
   const double *gaps;
   // h at these gaps, not negative.
   const double *by_gap;
-  // Zero. Room for what later versions know.
+  // Zero. Room for fields of later versions.
   uint64_t reserved[8];
 } fmc_conductance;
 
@@ -2680,7 +2685,8 @@ typedef struct {
 typedef struct {
   // Size of this struct, as the library wrote it.
   size_t struct_size;
-  // All of it, in area without deformation (2D: length; with axisymmetry the area of whole rings); 0: there is none.
+  // Its total area, without deformation (2D: length; with axisymmetry the area of whole rings); 0: there is no
+  // interface.
   double area;
   // The largest gap, or overlap, that is kept between the surfaces, a length.
   double largest_gap;
@@ -2688,13 +2694,13 @@ typedef struct {
   size_t point_count;
   // Energy that unloading would give back.
   double stored;
-  // Energy that has been dissipated since nothing was damaged.
+  // Energy that damage has dissipated so far.
   double dissipated;
   // Area of points that are damaged, broken ones among them.
   double damaged_area;
   // Area of points that are broken.
   double broken_area;
-  // Energy that friction of what is broken has dissipated, less what the stick of newly broken area stores.
+  // Energy that friction of the broken part has dissipated, minus the stick energy of newly broken area.
   double rubbed;
   // Energy that the viscosity has dissipated.
   double viscous;
@@ -2712,21 +2718,21 @@ typedef struct {
   size_t partner;
   // Where it is, on `body`; in 2D the last is 0.
   double position[3];
-  // Area that it stands for, without deformation.
+  // Its tributary area, without deformation.
   double area;
-  // How far the bodies are apart beyond the gap at first, along the normal of `partner`, a length; negative where they are pressed.
+  // Opening beyond the initial gap, along the normal of `partner`, a length; negative in compression.
   double opening;
-  // How far `body` has slid along the surface of `partner`, a length; in 2D the last is 0.
+  // Slip of `body` along the surface of `partner`, a length; in 2D the last is 0.
   double sliding[3];
-  // Traction on `partner`, force by area, along its outward normal where the bodies are pulled apart; in 2D the last is 0.
+  // Traction on `partner`, force by area, along its outward normal in tension; in 2D the last is 0.
   double traction[3];
   // Damage, 0 to 1, as it would be after a step that ends here.
   double damage;
   // Energy by area that has been dissipated then.
   double dissipated;
-  // The same that friction of what is broken has dissipated.
+  // Energy by area that friction of the broken part has dissipated.
   double rubbed;
-  // The same that the viscosity has dissipated.
+  // Energy by area that the viscosity has dissipated.
   double viscous;
   // Zero.
   uint64_t reserved[3];
@@ -2742,15 +2748,15 @@ typedef struct {
   size_t partner;
   // Where it is, on `body`; in 2D the last is 0.
   double position[3];
-  // Area that it stands for, without deformation.
+  // Its tributary area, without deformation.
   double area;
   // Normal of `partner` and axes in its plane, as in `fmc_law_points`, three numbers each; in 2D the third axis is z.
   double axes[9];
-  // Opening beyond the gap at first, and sliding, along these; in 2D the last is 0.
+  // Opening beyond the initial gap, and sliding, along these axes; in 2D the last is 0.
   double jump[3];
-  // Traction along these, force by area: positive along the normal where the bodies are pulled apart; in 2D the last is 0.
+  // Traction along these axes, force by area: positive along the normal in tension; in 2D the last is 0.
   double traction[3];
-  // Energy by area that unloading would give back, as the law tells.
+  // Energy by area that unloading would give back, as the law returns it.
   double stored;
   // The same that has been dissipated.
   double dissipated;
@@ -2770,24 +2776,24 @@ typedef struct {
   // Its number among the facets that the context was made from, counted from `index_base` over all blocks; -1 where it was made
   // from cells.
   int64_t input_facet;
-  // Number of its face among those of the cell, as VTK counts them, from 0 whatever the base; -1 without cells. The nodes of face 0, 1, ...
-  // by their place in the cell, in VTK's order: triangle 01, 12, 20; quadrilateral 01, 12, 23, 30; tetrahedron
-  // 013, 123, 203, 021; hexahedron 0473, 1265, 0154, 3762, 0321, 4567; wedge 012, 354, 0341, 1452, 2530; pyramid 0321, 014,
-  // 124, 234, 304; of cells of second order the same, by their corners.
+  // Number of its face in the cell, as VTK counts them, from 0 whatever the base; -1 without cells. The corners of face 0, 1, ... by
+  // their place in the cell, in VTK's order: triangle 01, 12, 20. Quadrilateral 01, 12, 23, 30. Tetrahedron 013, 123, 203, 021.
+  // Hexahedron 0473, 1265, 0154, 3762, 0321, 4567. Wedge 012, 354, 0341, 1452, 2530. Pyramid 0321, 014, 124, 234, 304.
   int32_t local_face;
-  // Number of nodes of its face: 2 in 2D, 3 or 4 in 3D; of a face of second order of the part in which the facet lies.
+  // Number of nodes of its face: 2 in 2D, 3 or 4 in 3D; on a face of second order, of the part in which the facet
+  // lies.
   int32_t node_count;
   // Nodes of its face, counted from the option `index_base`; unused ones are -1. In 2D the body lies left of the way from
-  // the first to the second, in 3D they run counter-clockwise seen from outside, also where the cell is numbered the
-  // other way round. Of four, the facet is the triangle of the first two and the mean of all. Of a face of second order they
-  // are points of its division, of which `fmc_context_point_weights` tells; those from the node count on are no nodes.
+  // the first to the second. In 3D they run counter-clockwise seen from outside, also where the cell is numbered the other
+  // way round. With four nodes the facet is the triangle of the first two and the mean of all. On a face of second order
+  // they are points of its division, see `fmc_context_point_weights`; numbers from the node count on are not nodes.
   int64_t nodes[4];
   // Zero.
   uint64_t reserved[4];
 } fmc_boundary_facet;
 
-// By what `fmc_context_vjp` differentiates, and where that goes: arrays of the host, each NULL where it is not asked for, which is then
-// not computed. With n rows of `coords` and m obstacles, removed ones included, all in dense rows.
+// Variables of `fmc_context_vjp`, and output arrays of the host. A derivative whose array is NULL is not computed. With n rows of
+// `coords` and m obstacles, removed ones included, all in dense rows.
 //
 // New fields take the place of reserved ones; the size of the struct does not change.
 typedef struct {
@@ -2796,30 +2802,31 @@ typedef struct {
   // By the coordinates: room for n * dim numbers.
   double *coords;
   // By the coordinates without deformation, as `fmc_context_set_reference` takes them, the current ones held: room for n * dim
-  // numbers. The law "depth" has its depths from them; other laws do not depend on them.
+  // numbers. The law "depth" measures its depths from them; other laws do not depend on them.
   double *reference;
   // By the position of every obstacle: room for m * dim numbers.
   double *positions;
   // By a rotation vector of every obstacle about its position: room for m * 3 numbers; in 2D only the last of three differs from zero.
   double *rotations;
-  // What is asked for of every pair: a sum of `FMC_GRADIENT_STIFFNESS`, `FMC_GRADIENT_GAP_OFFSET` and `FMC_GRADIENT_FRICTION`, or 0.
+  // Requested derivatives of every pair: a sum of `FMC_GRADIENT_STIFFNESS`, `FMC_GRADIENT_GAP_OFFSET` and `FMC_GRADIENT_FRICTION`,
+  // or 0.
   uint64_t of_pairs;
-  // Factors of the elastic slip with which the step ends, a term more beside energy and forces: rows as `fmc_context_slip` writes them.
-  // NULL stands for zeros. `fmc_context_commit_step` at `coords` would carry this slip on.
+  // Factors of the elastic slip at the end of the step, a third term next to energy and forces: rows as `fmc_context_slip` writes them.
+  // NULL: zeros. `fmc_context_commit_step` at `coords` would carry this slip on.
   const double *slip_adjoint;
-  // How many numbers these are.
+  // Number of entries.
   size_t slip_adjoint_count;
-  // By the elastic slip that was carried into the step: such rows, of every facet that friction acts on. Room for `slip_capacity` numbers.
+  // By the elastic slip carried into the step: such rows, for every facet with friction. Room for `slip_capacity` numbers.
   double *slip;
   // Room in `slip`.
   size_t slip_capacity;
-  // Becomes how many numbers there are. With `slip` NULL and no room that alone is asked for; both NULL: neither is.
+  // Becomes the number of entries. With `slip` NULL and no room only the number is returned; both NULL: nothing is.
   size_t *slip_count;
-  // Zero. Room for what later versions know.
+  // Zero. Room for fields of later versions.
   uint64_t reserved[3];
 } fmc_gradients;
 
-// Derivatives by what one pair has; 0 for what was not asked for. For `fmc_context_jvp` rates of this.
+// Derivatives by the parameters of one pair; 0 if not requested. For `fmc_context_jvp` rates of these parameters.
 typedef struct {
   // Size of this struct, as the library wrote it.
   size_t struct_size;
@@ -2841,9 +2848,9 @@ typedef struct {
   uint64_t reserved[4];
 } fmc_pair_gradient;
 
-// Along what `fmc_context_jvp` differentiates: rates of what energy and forces depend on, all summed. What is NULL, or 0, rests. With n
-// rows of `coords` and m obstacles, removed ones included, all in dense rows; units are those of the parameter by one that the host
-// chooses, such as a time.
+// Direction of `fmc_context_jvp`: rates of all variables of energy and forces, applied together. Variables with NULL or 0 are held.
+// With n rows of `coords` and m obstacles, removed ones included, all in dense rows; units are the unit of the variable / a unit that
+// the host chooses, such as a time.
 //
 // New fields take the place of reserved ones; the size of the struct does not change.
 typedef struct {
@@ -2862,43 +2869,43 @@ typedef struct {
   // Of the coefficient of friction of every pair that touches.
   double friction;
   // Of single pairs, in addition: structs as `fmc_context_vjp` writes them, with rates in the place of derivatives. A pair that does not
-  // touch does nothing.
+  // touch has no effect.
   const fmc_pair_gradient *pairs;
-  // How many there are.
+  // Number of structs.
   size_t pair_count;
   // Of the elastic slip carried into the step: rows as `fmc_context_slip` writes them, of which the last number is not read.
   const double *slip;
-  // How many numbers these are.
+  // Number of entries.
   size_t slip_count;
-  // Zero. Room for what later versions know.
+  // Zero. Room for fields of later versions.
   uint64_t reserved[4];
 } fmc_directions;
 
-// Asks for nothing: all pointers NULL.
+// Requests no output: all pointers are NULL.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`. Threads: any, on different structs.
 fmc_status fmc_nodal_contact_init(fmc_nodal_contact *nodal);
 
-// The contact at every node of the mesh at `coords`, in the order of the coordinates; zero where nothing touches. `nodal` says
-// what is asked for, and where it goes. The nodal force without its friction is -pressure * area * normal, to rounding.
+// The contact at every node of the mesh at `coords`, in the order of the coordinates; zero without contact. `nodal` holds the
+// output arrays. The nodal force without its friction is -pressure * area * normal, to rounding.
 //
-// With cells of second order a node has what is at the point of their division that stands for it, with the straight shape
-// function of that point: shape functions of second order are negative in places, and have no mean at a corner. Forces
-// at points, -pressure * area * normal, are then not those of the nodes, nor do they add up to the resultant where
-// faces have no node in their middle, whose points are not told.
+// With cells of second order a node has the values of its point of the division, with the straight shape function of this
+// point. Shape functions of second order are negative in places, and have no mean at a corner. Forces at points, -pressure
+// * area * normal, then differ from the forces at nodes. They do not add up to the resultant where faces have no node in
+// their middle, because points without a node are not written.
 //
-// It measures the contact anew, with the current pressure even where friction is frozen, and changes no other result of
-// the context. Errors: as `fmc_context_evaluate`, `FMC_ERROR_STRUCT_SIZE` and `FMC_ERROR_RESERVED_FIELD`; nothing is written
+// It measures the contact again, with the current pressure even where friction is frozen, and changes no other result of the
+// context. Errors: as `fmc_context_evaluate`, `FMC_ERROR_STRUCT_SIZE` and `FMC_ERROR_RESERVED_FIELD`; nothing is written
 // then. Threads: one call at a time on a context.
 fmc_status fmc_context_nodal_contact(fmc_context *context,
                                      const fmc_coords *coords,
                                      const fmc_nodal_contact *nodal);
 
 // The contact points at `coords`, where the laws "fiber" and "depth" press, in the order of the pairs; none with the law "volume",
-// which has one pressure for a whole pair, unless friction acts. With friction the points have its traction and their
-// slip, with the current pressure even where friction is frozen.
+// which has one pressure for a whole pair, unless friction acts. With friction the points have its traction and their slip, with
+// the current pressure even where friction is frozen.
 //
-// `count` becomes their number; `points` has room for `capacity`. NULL with capacity 0: the number alone is asked for, and the next
+// `count` becomes their number; `points` has room for `capacity`. NULL with capacity 0: only the number is returned, and the next
 // call at the same coordinates does not search again.
 //
 // Errors: as `fmc_context_evaluate`, and `FMC_ERROR_BUFFER_TOO_SMALL`; nothing is written then. Threads: one call at a time on a
@@ -2909,14 +2916,14 @@ fmc_status fmc_context_contact_points(fmc_context *context,
                                       size_t capacity,
                                       size_t *count);
 
-// The weighted gaps at `coords` of all nodes that have a facet within `reach` of a partner, apart or overlapping:
-// what an augmented Lagrangian, an interior point method or a preconditioner asks for. They depend on no law and no estimator.
+// The weighted gaps at `coords` of all nodes that have a facet within `reach` of a partner, apart or overlapping, for an
+// augmented Lagrangian, an interior point method or a preconditioner. They do not depend on law and estimator.
 //
 // Both bodies of a pair have rows, ordered by pair, side and node; a host that wants one side only takes the rows of one
 // body. A body has no gaps over itself. With cells of second order rows are points, columns nodes.
 //
-// `count` becomes the number of rows; `rows` has room for `capacity`. NULL with capacity 0: the number alone is asked for, and the
-// next call at the same coordinates does not search again. What was found stays, for `fmc_context_gap_gradient`.
+// `count` becomes the number of rows; `rows` has room for `capacity`. NULL with capacity 0: only the number is returned, and the
+// next call at the same coordinates does not search again. The gaps are kept for `fmc_context_gap_gradient`.
 //
 // Errors: as `fmc_context_evaluate`, `FMC_ERROR_NOT_POSITIVE` for `reach`, and `FMC_ERROR_BUFFER_TOO_SMALL`; nothing is written then.
 // Threads: one call at a time on a context.
@@ -2927,10 +2934,10 @@ fmc_status fmc_context_gap_constraints(fmc_context *context,
                                        size_t capacity,
                                        size_t *count);
 
-// The derivative of the gaps that were found, d gap / d x, in compressed rows: row r has the entries from `row_offsets[r]` to
+// The derivative of the gaps of the last call, d gap / d x, in compressed rows. Row r has the entries from `row_offsets[r]` to
 // `row_offsets[r + 1]`, in ascending order of their columns, which are degrees of freedom as in `fmc_context_tangent`. Offsets
-// and columns count from the option `index_base`. The set of columns is what feels the contact. Pressures p on the rows act
-// with the nodal forces sum over r of p_r times row r.
+// and columns count from the option `index_base`. The columns are the degrees of freedom that feel the contact. Pressures p on
+// the rows act with the nodal forces sum over r of p_r times row r.
 //
 // `offset_count` becomes the number of offsets, one more than there are rows, and `count` the number of entries. `row_offsets` has
 // room for `offset_capacity`, `cols` and `values` for `capacity`. An array that is NULL with capacity 0 is not written: only its
@@ -2947,19 +2954,18 @@ fmc_status fmc_context_gap_gradient(const fmc_context *context,
                                     size_t capacity,
                                     size_t *count);
 
-// The tie of two bodies, indices for `fmc_context_body_resultant`, as it was found where nothing is deformed; of bodies that slide and do not
-// separate as it was found last. They are made by `fmc_context_set_pair_options`. Of other bodies all numbers are zero.
+// The tie of two bodies, indices for `fmc_context_body_resultant`, as found without deformation; for bodies that slide and do not
+// separate, as found last. `fmc_context_set_pair_options` makes them. For other bodies all numbers are zero.
 //
-// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BODY_OUT_OF_RANGE`; `FMC_ERROR_UNTIED` where other reference coordinates, which were set
-// after the bodies were tied, have left nothing of the tie; `FMC_ERROR_BUSY`. Threads: several at once on one context, as long as no
-// call changes it.
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BODY_OUT_OF_RANGE`; `FMC_ERROR_UNTIED` if reference coordinates that were set later
+// leave no tied face; `FMC_ERROR_BUSY`. Threads: several at once on one context, as long as no call changes it.
 fmc_status fmc_context_tie(const fmc_context *context,
                            size_t a,
                            size_t b,
                            fmc_tie *tie);
 
-// Traction and jump of all ties at `coords`, by pair and node of the side that holds, mostly that with the larger facets; of bodies that do not
-// separate those along the normal.
+// Traction and jump of all ties at `coords`, by pair and node of the holding side, mostly the side with the larger facets; for bodies that
+// do not separate, along the normal only.
 //
 // `count` becomes their number; `rows` has room for `capacity`. NULL with capacity 0: only the number is returned.
 //
@@ -2971,18 +2977,19 @@ fmc_status fmc_context_tie_nodes(fmc_context *context,
                                  size_t capacity,
                                  size_t *count);
 
-// All ties as equations, for hosts that eliminate unknowns or have multipliers of their own: sum of `values` times coordinates = 0 for
-// every row, in compressed rows, a row for each axis of each of `fmc_context_tie_nodes`. The entries of row r are those from
-// `row_offsets[r]` to `row_offsets[r + 1]`, in ascending order of their columns, which are degrees of freedom as in
-// `fmc_context_tangent`. Offsets and columns count from the option `index_base`.
+// All ties as equations, for hosts that eliminate unknowns or use their own multipliers: sum of `values` times coordinates = 0 for
+// every row, in compressed rows, a row for each axis of each of `fmc_context_tie_nodes`. Row r has the entries from `row_offsets[r]`
+// to `row_offsets[r + 1]`, in ascending order of their columns, which are degrees of freedom as in `fmc_context_tangent`. Offsets and
+// columns count from the option `index_base`.
 //
 // `offset_count` becomes the number of offsets, one more than there are rows, and `count` the number of entries. `row_offsets` has
 // room for `offset_capacity`, `cols` and `values` for `capacity`. An array that is NULL with capacity 0 is not written: only its
 // number is returned.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_LENGTH` where a number does not fit into the context's
-// numbers, `FMC_ERROR_UNSUPPORTED` where a tie keeps a gap, along which its rows depend on how facets turn, and with bodies that do not separate, `FMC_ERROR_UNTIED` as
-// `fmc_context_tie`, `FMC_ERROR_BUSY`; nothing is written then. Threads: several at once on one context, as long as no call changes it.
+// numbers. `FMC_ERROR_UNSUPPORTED` where a tie keeps a gap, since its rows then depend on the rotation of facets, and with bodies that do
+// not separate. `FMC_ERROR_UNTIED` as `fmc_context_tie`, `FMC_ERROR_BUSY`; nothing is written then. Threads: several at once on one
+// context, as long as no call changes it.
 fmc_status fmc_context_tie_constraints(const fmc_context *context,
                                        void *row_offsets,
                                        size_t offset_capacity,
@@ -2992,21 +2999,21 @@ fmc_status fmc_context_tie_constraints(const fmc_context *context,
                                        size_t capacity,
                                        size_t *count);
 
-// Ties two parts of the surface (`fmc_context_add_surface`), each of one body, of two bodies or of one: x_A - x_B = `period` + jump for points that
-// face one another without deformation once `period`, `dim` numbers, has brought part B to part A. `tie` becomes the number of the tie, 1, 2, ...;
-// the jump is 0 at first (`fmc_context_set_tie_jump`). A body may have several.
+// Ties two parts of the surface (`fmc_context_add_surface`), each on one body, on two bodies or on one. It holds x_A - x_B = `period` +
+// jump for points that face one another without deformation, after a shift of part B by `period`, `dim` numbers. `tie` becomes the number
+// of the tie, 1, 2, ...; the jump is 0 at first (`fmc_context_set_tie_jump`). A body may have several.
 //
-// What is tied, and within which `reach` (0: the default), is as of `FMC_INTERFACE_TIED`, with the stiffness of the pair's law and with
-// multipliers. It changes no contact. With a period the named facets alone can hide one another. Heat does not pass it.
+// The rules of `FMC_INTERFACE_TIED` give the tied faces and the default of `reach` (0), with the stiffness of the pair's law and with
+// multipliers. It changes no contact. With a period only the named facets can hide one another. No heat flows through it.
 //
 // With the period of a periodic cell and the jump H period the cell has the macroscopic displacement gradient H; its stress is the sum of
-// F period^T / V over the ties with their forces F (`fmc_context_tie_force`). In a bolt that is cut across, the jump along its axis is the
-// length that pretension takes out of it.
+// F period^T / V over the ties, with their forces F (`fmc_context_tie_force`). In a bolt with a cut across it, the jump along the axis is
+// the pretension length.
 //
-// Errors: `FMC_ERROR_NULL_POINTER`; `FMC_ERROR_BAD_VALUE` for a surface that does not exist; `FMC_ERROR_UNTIED`; `FMC_ERROR_NOT_POSITIVE` for a
-// reach; `FMC_ERROR_NON_FINITE_STIFFNESS` for a period that is not finite; `FMC_ERROR_UNSUPPORTED` for a surface of several bodies, for two with a
-// facet in common, for two bodies in contact whose faces lie on one another, by the law "volume", without cells, in parts, and for a period
-// along the radius; `FMC_ERROR_BUSY`. Nothing changes then. Threads: one call at a time on a context.
+// Errors: `FMC_ERROR_NULL_POINTER`; `FMC_ERROR_BAD_VALUE` for a surface that does not exist; `FMC_ERROR_UNTIED`; `FMC_ERROR_NOT_POSITIVE`
+// for a reach; `FMC_ERROR_NON_FINITE_STIFFNESS` for a period that is not finite; `FMC_ERROR_BUSY`. `FMC_ERROR_UNSUPPORTED` for a surface
+// of several bodies, for two surfaces with a common facet, for two bodies in contact whose faces coincide, and for a period along the
+// radius. The same by the law "volume", without cells, and in parts. Nothing changes then. Threads: one call at a time on a context.
 fmc_status fmc_context_add_tie(fmc_context *context,
                                int32_t surface_a,
                                int32_t surface_b,
@@ -3014,36 +3021,37 @@ fmc_status fmc_context_add_tie(fmc_context *context,
                                double reach,
                                int32_t *tie);
 
-// Removes a tie of `fmc_context_add_tie`. Numbers of others stay.
+// Removes a tie of `fmc_context_add_tie`. Other ties keep their numbers.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BAD_VALUE` if there is no such tie, `FMC_ERROR_BUSY`. Threads: one call at a time on a
 // context.
 fmc_status fmc_context_remove_tie(fmc_context *context,
                                   int32_t tie);
 
-// Has the first part of a tie of `fmc_context_add_tie` lie so far from the second, beside its period: `jump` are `dim` numbers. No face is looked
-// for anew, and multipliers stay.
+// Sets the jump of a tie of `fmc_context_add_tie`, the distance of the first part from the second in addition to the period: `dim`
+// numbers. It does not search for faces, and multipliers stay.
 //
-// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BAD_VALUE` if there is no such tie, `FMC_ERROR_NON_FINITE_STIFFNESS` for a jump that is not finite,
-// `FMC_ERROR_UNSUPPORTED` for one along the radius, `FMC_ERROR_BUSY`; the old jump then stays. Threads: one call at a time on a context.
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BAD_VALUE` if there is no such tie, `FMC_ERROR_NON_FINITE_STIFFNESS` for a jump that is not
+// finite, `FMC_ERROR_UNSUPPORTED` for one along the radius, `FMC_ERROR_BUSY`; the old jump is then kept. Threads: one call at a time on a
+// context.
 fmc_status fmc_context_set_tie_jump(fmc_context *context,
                                     int32_t tie,
                                     const double *jump);
 
-// What a tie of `fmc_context_add_tie` holds.
+// Area, gap and reach of a tie of `fmc_context_add_tie`, as `fmc_context_tie`.
 //
-// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BAD_VALUE` if there is no such tie, `FMC_ERROR_UNTIED` as `fmc_context_tie`, `FMC_ERROR_BUSY`. Threads:
-// several at once on one context, as long as no call changes it.
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BAD_VALUE` if there is no such tie, `FMC_ERROR_UNTIED` as `fmc_context_tie`,
+// `FMC_ERROR_BUSY`. Threads: several at once on one context, as long as no call changes it.
 fmc_status fmc_context_added_tie(const fmc_context *context,
                                  int32_t tie,
                                  fmc_tie *found);
 
-// Force of a tie of `fmc_context_add_tie` on its first part at `coords`: the derivative of the energy by the jump. That on the second part is
-// its negative. `count` becomes `dim`; `force` has room for `capacity` numbers.
+// Force of a tie of `fmc_context_add_tie` on its first part at `coords`: the derivative of the energy by the jump. The force on the second
+// part is its negative. `count` becomes `dim`; `force` has room for `capacity` numbers.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BAD_VALUE` if there is no such tie, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_LENGTH`,
-// `FMC_ERROR_NON_FINITE_COORDINATE`, `FMC_ERROR_NO_STIFFNESS`, `FMC_ERROR_UNTIED` as `fmc_context_tie`, `FMC_ERROR_BUSY`. Threads: one call at a
-// time on a context.
+// `FMC_ERROR_NON_FINITE_COORDINATE`, `FMC_ERROR_NO_STIFFNESS`, `FMC_ERROR_UNTIED` as `fmc_context_tie`, `FMC_ERROR_BUSY`. Threads: one
+// call at a time on a context.
 fmc_status fmc_context_tie_force(fmc_context *context,
                                  const fmc_coords *coords,
                                  int32_t tie,
@@ -3056,19 +3064,19 @@ fmc_status fmc_context_tie_force(fmc_context *context,
 // Errors: `FMC_ERROR_NULL_POINTER`. Threads: any, on different structs.
 fmc_status fmc_conductance_init(fmc_conductance *conductance);
 
-// What flows through the contact at `coords`, of heat or of charge: the integral of N h (T - T_other) dA out of every node, T being a field
-// and T_other that on the other side, which faces it. It is positive where heat leaves the node, and its sum over all nodes and obstacles is
-// zero. Pressure, of which h depends, is that of the law. Bodies that are tied, glued or do not separate conduct where they are held. With
-// axisymmetry dA is that of rings.
+// Flux of heat or charge through the contact at `coords`: the integral of N h (T - T_other) dA out of every node. T is a field, and
+// T_other the field at the facing point of the other side. The flux is positive if heat leaves the node, and its sum over all nodes and
+// obstacles is zero. The conductance h depends on the pressure of the law. Bodies that are tied, glued or do not separate conduct where
+// they are held. With axisymmetry dA is the area of rings.
 //
-// `fields` has `field_count` fields, one after the other, with a value for every row of `coords`, and `flux` room for as many; `of_obstacles`
-// has as many fields, with a value for every obstacle, removed ones included, and `obstacle_flux` room for them. NULL for `of_obstacles`:
-// nothing flows into obstacles; `obstacle_flux` may be NULL, too. With `field_count` 0 the matrix alone is found, which stays for
+// `fields` has `field_count` fields, one after the other, with a value for every row of `coords`; `flux` has room for as many.
+// `of_obstacles` has as many fields, with a value for every obstacle, removed ones included; `obstacle_flux` has room for them. NULL for
+// `of_obstacles`: there is no flux into obstacles; `obstacle_flux` may be NULL, too. With `field_count` 0 only the matrix is computed, for
 // `fmc_context_flux_matrix`.
 //
-// Errors: as `fmc_context_evaluate`, but for friction; `FMC_ERROR_STRUCT_SIZE`, `FMC_ERROR_RESERVED_FIELD`; `FMC_ERROR_NOT_POSITIVE` for an
-// entry of a field or table that is not finite, a negative entry of a table, or places that do not ascend; `FMC_ERROR_UNSUPPORTED` for a mesh
-// in parts; `FMC_ERROR_UNTIED` as `fmc_context_tie`. Nothing is written then. Threads: one call at a time on a context.
+// Errors: as `fmc_context_evaluate`, except for friction; `FMC_ERROR_STRUCT_SIZE`, `FMC_ERROR_RESERVED_FIELD`; `FMC_ERROR_UNSUPPORTED` for
+// a mesh in parts; `FMC_ERROR_UNTIED` as `fmc_context_tie`. `FMC_ERROR_NOT_POSITIVE` for an entry of a field or table that is not finite,
+// a negative entry of a table, or places that do not ascend. Nothing is written then. Threads: one call at a time on a context.
 fmc_status fmc_context_flux(fmc_context *context,
                             const fmc_coords *coords,
                             const fmc_conductance *conductance,
@@ -3078,8 +3086,8 @@ fmc_status fmc_context_flux(fmc_context *context,
                             double *flux,
                             double *obstacle_flux);
 
-// The derivative of the flux by the field at the last `fmc_context_flux`, the same for every field, in compressed rows: symmetric, positive
-// semidefinite, and independent of the field. Rows and columns are nodes, then obstacles. The entries of row r are those from
+// The derivative of the flux by the field at the last `fmc_context_flux`, the same for every field, in compressed rows: symmetric,
+// positive semidefinite, and independent of the field. Rows and columns are nodes, then obstacles. Row r has the entries from
 // `row_offsets[r]` to `row_offsets[r + 1]`, in ascending order of their columns. Offsets and columns count from the option `index_base`.
 //
 // `offset_count` becomes the number of offsets, one more than there are rows, and `count` the number of entries. `row_offsets` has
@@ -3097,27 +3105,27 @@ fmc_status fmc_context_flux_matrix(const fmc_context *context,
                                    size_t capacity,
                                    size_t *count);
 
-// The energy that friction has dissipated since the step began, as heat at nodes and obstacles: its sum is that of the pairs. Divided by the
-// time of the step it is a power. With cells of second order some nodes may have a negative part.
+// The energy that friction has dissipated since the step began, as heat at nodes and obstacles: its sum is the dissipation of all pairs.
+// Heat / duration of the step is a power. With cells of second order some nodes may have a negative part.
 //
-// `effusivities`: one for every body, then one for every obstacle, removed ones included, not negative. Each side of a pair takes a part of the
-// heat by its effusivity, the square root of conductivity times density times heat capacity; with 0 it takes nothing. NULL: halves.
-// `heat` has room for a number for every row of `coords`, `obstacle_heat` for every obstacle; it may be NULL.
+// `effusivities`: one for every body, then one for every obstacle, removed ones included, not negative. Each side of a pair takes a part
+// of the heat in proportion to its effusivity, sqrt(conductivity * density * heat capacity); with 0 it takes none. NULL: halves. `heat`
+// has room for a number for every row of `coords`, `obstacle_heat` for every obstacle; it may be NULL.
 //
-// Errors: as `fmc_context_evaluate`; `FMC_ERROR_NOT_POSITIVE` for an effusivity that is negative or not finite; `FMC_ERROR_UNSUPPORTED` for a
-// mesh in parts. Nothing is written then. Threads: one call at a time on a context.
+// Errors: as `fmc_context_evaluate`; `FMC_ERROR_NOT_POSITIVE` for an effusivity that is negative or not finite; `FMC_ERROR_UNSUPPORTED`
+// for a mesh in parts. Nothing is written then. Threads: one call at a time on a context.
 fmc_status fmc_context_friction_heat(fmc_context *context,
                                      const fmc_coords *coords,
                                      const double *effusivities,
                                      double *heat,
                                      double *obstacle_heat);
 
-// The cohesive interface of two bodies at `coords`, indices for `fmc_context_body_resultant`. It is set by
-// `fmc_context_set_pair_options`. Of bodies without one all numbers are zero.
+// The cohesive interface of two bodies at `coords`, indices for `fmc_context_body_resultant`.
+// `fmc_context_set_pair_options` makes it. For bodies without an interface all numbers are zero.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BODY_OUT_OF_RANGE`, `FMC_ERROR_LENGTH`, `FMC_ERROR_NON_FINITE_COORDINATE`;
-// `FMC_ERROR_UNTIED` where other reference coordinates have left nothing of the interface; `FMC_ERROR_BUSY`. Threads: one call at a time
-// on a context.
+// `FMC_ERROR_UNTIED` if other reference coordinates leave no face of the interface; `FMC_ERROR_BUSY`. Threads: one call at a time on a
+// context.
 fmc_status fmc_context_cohesive(fmc_context *context,
                                 size_t a,
                                 size_t b,
@@ -3136,14 +3144,14 @@ fmc_status fmc_context_cohesive_points(fmc_context *context,
                                        size_t capacity,
                                        size_t *count);
 
-// All points of interfaces by laws of the host at `coords`, by pair, in the order of `fmc_context_law_history`. Area times energies, summed up,
-// are the energies of the interfaces.
+// All points of interfaces by laws of the host at `coords`, by pair, in the order of `fmc_context_law_history`. The sums of area times
+// energy are the energies of the interfaces.
 //
 // `count` becomes their number; `rows` has room for `capacity`. NULL with capacity 0: only the number is returned.
 //
-// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_LENGTH`, `FMC_ERROR_NON_FINITE_COORDINATE`, `FMC_ERROR_INTERFACE_LAW`;
-// `FMC_ERROR_UNTIED` where other reference coordinates have left nothing of an interface; `FMC_ERROR_BUSY`. Threads: one call at a time on a
-// context.
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_LENGTH`, `FMC_ERROR_NON_FINITE_COORDINATE`,
+// `FMC_ERROR_INTERFACE_LAW`; `FMC_ERROR_UNTIED` if other reference coordinates leave no face of an interface; `FMC_ERROR_BUSY`. Threads:
+// one call at a time on a context.
 fmc_status fmc_context_law_points(fmc_context *context,
                                   const fmc_coords *coords,
                                   fmc_law_point *rows,
@@ -3161,16 +3169,16 @@ fmc_status fmc_context_boundary_facets(const fmc_context *context,
                                        size_t capacity,
                                        size_t *count);
 
-// The matrix P that takes nodes to points, X = P x, in compressed rows: the entries of point p are those from `row_offsets[p]`
-// to `row_offsets[p + 1]`, `nodes` with their `weights`. Offsets and nodes count from the option `index_base`.
+// The matrix P that takes nodes to points, X = P x, in compressed rows: point p has the entries from `row_offsets[p]` to
+// `row_offsets[p + 1]`, `nodes` with their `weights`. Offsets and nodes count from the option `index_base`.
 //
 // Cells of second order are divided into straight ones, whose points are fixed linear combinations of the nodes.
-// `fmc_boundary_facet`, `fmc_contact_side` and `fmc_gap_constraint` tell of points: their numbers, less the option
-// `index_base`, are rows. What is known at nodes is brought to points by P, forces and other derivatives from points to nodes by
-// its transpose. A point that is a node, or stands for one in the middle of an edge, face or cell, has the node's
-// number; middles of faces without a node come after the nodes. The weights of a row add up to 1, and some are
-// negative. Without cells of second order, and nodes that hang, P is the identity. With a basis (`fmc_context_set_basis`) its
-// columns are unknowns, and rows add up to what those of the basis do.
+// `fmc_boundary_facet`, `fmc_contact_side` and `fmc_gap_constraint` refer to points: their numbers, minus the option
+// `index_base`, are rows. P takes nodal values to points; its transpose takes forces and other derivatives from points to nodes.
+// A point that is a node, or represents a node in the middle of an edge, face or cell, has the node's number. Middles of faces
+// without a node come after the nodes. The weights of a row add up to 1, and some are negative. Without cells of second order
+// and hanging nodes P is the identity. With a basis (`fmc_context_set_basis`) its columns are unknowns, and its rows have the
+// row sums of the basis.
 //
 // There are at least as many points as nodes; numbers change with a basis only. `offset_count` becomes the number of offsets, one
 // more than there are points, and `count` the number of entries. `row_offsets` has room for `offset_capacity`, `nodes` and
@@ -3187,28 +3195,28 @@ fmc_status fmc_context_point_weights(const fmc_context *context,
                                      size_t capacity,
                                      size_t *count);
 
-// Asks for nothing: all pointers NULL.
+// Requests no output: all pointers are NULL.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`. Threads: any, on different structs.
 fmc_status fmc_gradients_init(fmc_gradients *gradients);
 
-// The derivatives of `energy` * w + `adjoint` . F at `coords`, by what `gradients` names: w is the contact energy and F are the nodal
-// forces, friction included, which is no part of w. `adjoint` has the shape of `coords`; NULL stands for zeros. A host that
-// minimises J(x) with contact in equilibrium passes the solution of the adjoint system, with `energy` 0.
+// The derivatives of `energy` * w + `adjoint` . F at `coords`, by the variables that `gradients` names: w is the contact energy, and
+// F are the nodal forces. F includes friction, w does not. `adjoint` has the shape of `coords`; NULL: zeros. A host that minimises
+// J(x) with contact in equilibrium passes the solution of the adjoint system, with `energy` 0.
 //
-// All are exact, and partial: each with all else held, the slip at the start of the step too, by which there is a derivative of its own.
-// Where two faces are equally near to a node, the depth has a kink, and the derivative is that of one side.
+// All are exact partial derivatives: all other variables are held, including the slip at the start of the step, which has a separate
+// derivative. Where two faces are equally near to a node, the depth has a kink, and the derivative is one-sided.
 //
-// `count` becomes the number of pairs that touch, 0 unless something of pairs is asked for; `pairs` has room for `capacity`.
+// `count` becomes the number of pairs that touch, 0 without a request for pairs; `pairs` has room for `capacity`.
 //
 // Errors: as `fmc_context_tangent`; `FMC_ERROR_LENGTH`, `FMC_ERROR_STRUCT_SIZE`, `FMC_ERROR_RESERVED_FIELD`, `FMC_ERROR_UNKNOWN_FLAG` and
 // `FMC_ERROR_BUFFER_TOO_SMALL`; for `slip_adjoint` as `fmc_context_set_slip`. `FMC_ERROR_UNSUPPORTED` for a derivative that is not known,
 // never a zero. By coordinates and poses: with the law "fiber" unless patches are kept; of sampled energies unless weights are
-// "consistent" and `momentum_correction` is 0; of forces that are sampled, between curved faces in 3D, and frictional unless friction is
-// frozen. By the reference: with axisymmetry, friction, curved faces, hanging nodes, ranks, and of forces with a gap offset between
-// bodies. By gap offset: of frictional forces; by stiffness: of these with cohesion or a shear limit, or frozen. By slip: with static
-// friction, or frozen; of the slip at the end of the step: by coordinates, poses and gap offsets. By gap offsets: of pairs other than
-// bodies with half-spaces. By the coefficient of friction: where it is 0, and with static friction, cohesion or a shear limit. By
+// "consistent" and `momentum_correction` is 0. Also of forces: sampled ones, between curved faces in 3D, and frictional ones unless
+// friction is frozen. By the reference: with axisymmetry, friction, curved faces, hanging nodes, ranks, and of forces with a gap offset
+// between bodies. By gap offset: of frictional forces; by stiffness: of these with cohesion or a shear limit, or frozen. By slip: with
+// static friction, or frozen; of the slip at the end of the step: by coordinates, poses and gap offsets. By gap offsets: of pairs other
+// than bodies with half-spaces. By the coefficient of friction: where it is 0, and with static friction, cohesion or a shear limit. By
 // rotations: with the law "fiber", and with axisymmetry. Nothing is written then. Threads: one call at a time on a context.
 fmc_status fmc_context_vjp(fmc_context *context,
                            const fmc_coords *coords,
@@ -3224,40 +3232,40 @@ fmc_status fmc_context_vjp(fmc_context *context,
 // Errors: `FMC_ERROR_NULL_POINTER`. Threads: any, on different structs.
 fmc_status fmc_directions_init(fmc_directions *directions);
 
-// Rates of energy and nodal forces at `coords` along rates of what they depend on: the transpose of `fmc_context_vjp`. With the same
-// parameters moved by d, energy * `energy` + adjoint . `forces` here is d times the derivatives there. Friction is no part of the energy;
-// the slip at the start of the step moves only as `directions` says.
+// Rates of energy and nodal forces at `coords` along rates of their variables: the transpose of `fmc_context_vjp`. With the same
+// parameters moved by d, energy * `energy` + adjoint . `forces` here is d times the derivatives there. The energy does not include
+// friction; the slip at the start of the step changes only with the rate in `directions`.
 //
 // `energy` becomes the rate of the contact energy; `forces` has room for n * dim numbers, the rates of the force on every node in dense
 // rows. Either may be NULL.
 //
-// Errors: as `fmc_context_vjp` with an adjoint, for what moves; `FMC_ERROR_LENGTH`, `FMC_ERROR_NON_FINITE_STIFFNESS` with the place of a rate,
-// `FMC_ERROR_STRUCT_SIZE`, `FMC_ERROR_RESERVED_FIELD`; `FMC_ERROR_INDEX_OUT_OF_RANGE` for a pair that there is not; for `slip` as
-// `fmc_context_set_slip`. There are no rates along coordinates without deformation. Nothing is written then. Threads: one call at a time on
-// a context.
+// Errors: as `fmc_context_vjp` with an adjoint, for all variables with a rate; `FMC_ERROR_LENGTH`, `FMC_ERROR_NON_FINITE_STIFFNESS` with
+// the place of a rate, `FMC_ERROR_STRUCT_SIZE`, `FMC_ERROR_RESERVED_FIELD`; `FMC_ERROR_INDEX_OUT_OF_RANGE` for a pair that does not exist;
+// for `slip` as `fmc_context_set_slip`. There are no rates along coordinates without deformation. Nothing is written then. Threads: one
+// call at a time on a context.
 fmc_status fmc_context_jvp(fmc_context *context,
                            const fmc_coords *coords,
                            const fmc_directions *directions,
                            double *energy,
                            double *forces);
 
-// Derivatives of a number J(x, F) of an equilibrium, F being the contact forces on nodes, by what the equilibrium hangs on: two calls, and
-// one linear solve of the host between them. R are internal less external forces, K = dR/dx, T is the contact's full tangent and a = dJ/dF.
-// The adjoint b is zero at unknowns that are not free, and in the rows of the others (K + T)^T b = dJ/dx - T^T a.
+// Derivatives of a number J(x, F) of an equilibrium by its parameters, F being the contact forces on nodes. It takes two calls, and one
+// linear solve of the host between them. R are internal minus external forces, K = dR/dx, T is the contact's full tangent and a = dJ/dF.
+// The adjoint b is zero at unknowns that are not free, and solves (K + T)^T b = dJ/dx - T^T a in the free rows.
 //
-// With `balance` NULL `right` becomes dJ/dx - T^T a. With `balance` = b, what `gradients` names becomes the total derivative of J by it, as
-// `fmc_context_vjp` writes it, and `right` becomes dJ/dx - T^T (a + b): less K^T b it is the derivative by the value of an unknown that is
-// not free. The host's part of dJ/dp is -b . dR/dp; a load has the derivative b. `coords` of `gradients` is by nodes that move by
-// themselves, x held.
+// With `balance` NULL `right` becomes dJ/dx - T^T a. With `balance` = b, the arrays of `gradients` become total derivatives of J, as
+// `fmc_context_vjp` writes them, and `right` becomes dJ/dx - T^T (a + b). Minus K^T b it is the derivative by the value of an unknown that
+// is not free. The host's part of dJ/dp is -b . dR/dp; a load has the derivative b. `coords` of `gradients` is the derivative by
+// additional motions of the nodes, x held.
 //
-// `problem`: the unknowns as for `fmc_equilibrium_new`, its `x` the equilibrium, found by whatever solver; `prescribed` is not read.
-// `by_x`: dJ/dx, `unknown_count` numbers, also of unknowns that are not free. `by_forces`: dJ/dF, `row_count * dim` numbers by row; NULL
-// for zeros. `right` has room for `unknown_count` numbers, or is NULL. `gradients` NULL: nothing more is asked for. `pairs`, `capacity` and
+// `problem`: the unknowns as for `fmc_equilibrium_new`, its `x` the equilibrium, found by any solver; `prescribed` is not read. `by_x`:
+// dJ/dx, `unknown_count` numbers, also of unknowns that are not free. `by_forces`: dJ/dF, `row_count * dim` numbers by row; NULL for
+// zeros. `right` has room for `unknown_count` numbers, or is NULL. `gradients` NULL: only `right` is written. `pairs`, `capacity` and
 // `count` as for `fmc_context_vjp`.
 //
-// Errors: as `fmc_equilibrium_new` for the problem and as `fmc_context_vjp` with an adjoint; `FMC_ERROR_NON_FINITE_STIFFNESS` with the place
-// in an array. `FMC_ERROR_UNSUPPORTED` with multipliers, as the search leaves where it found the stiffness or a `penetration` was asked
-// for; with friction; for `slip` and `slip_adjoint`. Nothing is written then. Threads: one call at a time on a context.
+// Errors: as `fmc_equilibrium_new` for the problem and as `fmc_context_vjp` with an adjoint; `FMC_ERROR_NON_FINITE_STIFFNESS` with the
+// place in an array. `FMC_ERROR_UNSUPPORTED` with multipliers, which the search sets if it found the stiffness or a `penetration` was
+// given; with friction; for `slip` and `slip_adjoint`. Nothing is written then. Threads: one call at a time on a context.
 fmc_status fmc_equilibrium_adjoint(fmc_context *context,
                                    const fmc_equilibrium_problem *problem,
                                    const double *by_x,
@@ -3271,19 +3279,19 @@ fmc_status fmc_equilibrium_adjoint(fmc_context *context,
 
 // ---- Wear ------------------------------------------------------------------------------------------------
 
-// Has the sides of a pair wear by Archard's law: `a` that slides by |ds| under the pressure p loses `wear_a` p |ds| of its depth, and `b` loses
-// `wear_b` p |ds|. Both in 1/pressure, a wear coefficient without unit by the hardness, and at least 0; 0, the default: that side does not wear.
-// Obstacles never do. With the laws "depth" and "fiber". Partners are named as in `fmc_context_set_pair_options`, and all other options of the pair
-// stay.
+// Sets wear of a pair by Archard's law: `a` that slides by |ds| under the pressure p loses `wear_a` p |ds| of its depth, and `b` loses
+// `wear_b` p |ds|. Both are dimensionless wear coefficient / hardness, in 1/pressure, and at least 0; 0, the default: that side does not
+// wear. Obstacles never wear. With the laws "depth" and "fiber". Partners are named as in `fmc_context_set_pair_options`, and all other
+// options of the pair stay.
 //
-// Surfaces wear in `fmc_context_commit_step` alone. Contact then takes a worn surface to lie so much farther in; the host's nodes and strains
-// stay. The depth at a node is the integral of N K p |s| dA by that of N dA, N being its shape function, so that the body loses the integral of
-// K p |s| dA. Slip is that of friction without its elastic part; of a pair without friction all of it, since `fmc_context_begin_step`.
+// Surfaces wear in `fmc_context_commit_step` alone. Contact then sees the surface recessed by the worn depth; the host's nodes and strains
+// stay. The depth at a node is int N K p |s| dA / int N dA, N being its shape function, so that the body loses the integral of K p |s| dA.
+// With friction the slip counts without its elastic part; without friction all slip since `fmc_context_begin_step` counts.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BODY_OUT_OF_RANGE`, `FMC_ERROR_OBSTACLE_OUT_OF_RANGE`, `FMC_ERROR_OBSTACLE_REMOVED`,
-// `FMC_ERROR_BAD_VALUE` for an unknown kind, `FMC_ERROR_NOT_POSITIVE` for a number that is negative or not finite, `FMC_ERROR_UNSUPPORTED` for
-// wear of an obstacle, of a body with itself, by the law "volume", of bodies that are held together or never slide, and of a mesh in parts,
-// `FMC_ERROR_BUSY`; what was set before then stays. Threads: one call at a time on a context.
+// `FMC_ERROR_BAD_VALUE` for an unknown kind, `FMC_ERROR_NOT_POSITIVE` for a number that is negative or not finite, `FMC_ERROR_BUSY`.
+// `FMC_ERROR_UNSUPPORTED` for wear of an obstacle, of a body with itself, by the law "volume", of bodies that are held together or never
+// slide, and of a mesh in parts. The earlier coefficients are then kept. Threads: one call at a time on a context.
 fmc_status fmc_context_set_pair_wear(fmc_context *context,
                                      int32_t a_kind,
                                      size_t a,
@@ -3292,11 +3300,11 @@ fmc_status fmc_context_set_pair_wear(fmc_context *context,
                                      double wear_a,
                                      double wear_b);
 
-// What the sides of a pair wear by, as `fmc_context_set_pair_wear` has set it; zeros by default.
+// Wear coefficients of a pair, as set by `fmc_context_set_pair_wear`; zeros by default.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BODY_OUT_OF_RANGE`, `FMC_ERROR_OBSTACLE_OUT_OF_RANGE`, `FMC_ERROR_OBSTACLE_REMOVED`,
-// `FMC_ERROR_BAD_VALUE` for an unknown kind, `FMC_ERROR_UNSUPPORTED` for two obstacles, `FMC_ERROR_BUSY`; nothing is written then. Threads:
-// several at once on one context, as long as no call changes it.
+// `FMC_ERROR_BAD_VALUE` for an unknown kind, `FMC_ERROR_UNSUPPORTED` for two obstacles, `FMC_ERROR_BUSY`; nothing is written then.
+// Threads: several at once on one context, as long as no call changes it.
 fmc_status fmc_context_pair_wear(const fmc_context *context,
                                  int32_t a_kind,
                                  size_t a,
@@ -3305,7 +3313,7 @@ fmc_status fmc_context_pair_wear(const fmc_context *context,
                                  double *wear_a,
                                  double *wear_b);
 
-// How far surfaces are worn off (`fmc_context_set_pair_wear`), a length for every node, in the order of `fmc_context_nodal_contact`; 0 at first.
+// Worn depth of surfaces (`fmc_context_set_pair_wear`), a length for every node, in the order of `fmc_context_nodal_contact`; 0 at first.
 //
 // `count` becomes their number; `depth` has room for `capacity`. NULL with capacity 0: only the number is returned.
 //
@@ -3317,8 +3325,8 @@ fmc_status fmc_context_worn_depth(const fmc_context *context,
                                   size_t capacity,
                                   size_t *count);
 
-// What every body has lost by wear: a volume, in 2D by unit of thickness, with axisymmetry that of rings. It is the integral of K p |s| dA of all
-// steps that were accepted.
+// Volume that every body has lost by wear, in 2D by unit of thickness, with axisymmetry the volume of rings. It is the integral of K p |s|
+// dA over all accepted steps.
 //
 // `count` becomes the number of bodies; `volumes` has room for `capacity`. NULL with capacity 0: only the number is
 // returned.
@@ -3329,9 +3337,9 @@ fmc_status fmc_context_worn_volumes(const fmc_context *context,
                                     size_t capacity,
                                     size_t *count);
 
-// What was worn off, for a restart: a row for every facet and each of the points that move it, where there is wear. A row is 4 numbers: the facet,
-// by its place in `fmc_context_boundary_facets` from 0 whatever the base; the node from 0, with cells of second order the point
-// (`fmc_context_point_weights`); the depth against the normal of the facet; and the volume. Rows ascend by facet and point.
+// State of wear, for a restart: a row for every worn facet and each of the points that move it. A row is 4 numbers: facet, node,
+// depth against the normal of the facet, and volume. The facet is its place in `fmc_context_boundary_facets`. With cells of second
+// order the node is a point (`fmc_context_point_weights`). Both count from 0 whatever the base. Rows ascend by facet and point.
 //
 // `count` becomes their number; `worn` has room for `capacity`. NULL with capacity 0: only the number is returned.
 //
@@ -3342,35 +3350,37 @@ fmc_status fmc_context_worn_facets(const fmc_context *context,
                                    size_t capacity,
                                    size_t *count);
 
-// Sets what was worn off: `count` numbers, in rows as `fmc_context_worn_facets` writes them; what no row names is not worn, none: nothing is, as
-// where the host has moved its nodes to the worn surface. For a restart call it before `fmc_context_begin_step` and `fmc_context_set_slip`:
-// the results have the bits of the unbroken run.
+// Sets the state of wear: `count` numbers, in rows as `fmc_context_worn_facets` writes them. Facets without a row are not worn. Pass no
+// rows after the host has moved its nodes to the worn surface. For a restart call it before `fmc_context_begin_step` and
+// `fmc_context_set_slip`: the results are bit-for-bit identical to the unbroken run.
 //
-// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_LENGTH` where the last row is not whole, `FMC_ERROR_INDEX_OUT_OF_RANGE` for a row that names a
-// facet that there is not, a point that does not move it, or both twice, `FMC_ERROR_NOT_POSITIVE` for a depth or volume that is negative or not
-// finite, `FMC_ERROR_UNSUPPORTED` for a mesh in parts, `FMC_ERROR_BUSY`; what was worn before then stays. Threads: one call at a time on a context.
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_LENGTH` where the last row is not whole, `FMC_ERROR_INDEX_OUT_OF_RANGE` for a row that
+// names a facet that does not exist, a point that does not move it, or both twice. `FMC_ERROR_NOT_POSITIVE` for a depth or volume that is
+// negative or not finite, `FMC_ERROR_UNSUPPORTED` for a mesh in parts, `FMC_ERROR_BUSY`. The old state is then kept. Threads: one call at
+// a time on a context.
 fmc_status fmc_context_set_worn_facets(fmc_context *context,
                                        const double *worn,
                                        size_t count);
 
-// As many times the wear of a step counts from now on, 1 at first: a step then stands for so many cycles. Wear is explicit, and surfaces do
-// not change within a step: `FMC_WARNING_LARGE_WEAR` tells of too many cycles.
+// Sets how many cycles each step represents from now on, 1 at first: the wear of a step is multiplied by this number. Wear is explicit,
+// and surfaces do not change within a step: `FMC_WARNING_LARGE_WEAR` reports too many cycles.
 //
-// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NOT_POSITIVE` unless positive and finite, `FMC_ERROR_BUSY`. Threads: one call at a time on a
-// context.
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NOT_POSITIVE` unless positive and finite, `FMC_ERROR_BUSY`. Threads: one call at a time on
+// a context.
 fmc_status fmc_context_set_wear_cycles(fmc_context *context,
                                        double cycles);
 
 // ---- Restart ---------------------------------------------------------------------------------------------
 
-// The elastic slip that was carried into the step: a row for every facet and each of the bodies and obstacles that it faced, where there
-// was any. With the coordinates and the poses at which the step began it is all that a restart needs: `fmc_context_begin_step` there,
-// then `fmc_context_set_slip`, gives the bits of the unbroken run.
+// The elastic slip carried into the step: a row for every facet with slip and each body or obstacle that it faced. A restart needs it,
+// and the coordinates and poses at which the step began. Call `fmc_context_begin_step` there, then `fmc_context_set_slip`: the results
+// are bit-for-bit identical to the unbroken run.
 //
-// A row is 8 numbers: the facet, by its place in `fmc_context_boundary_facets` from 0 whatever the base; what it faces, a value of
-// `fmc_partner`, and its index for `fmc_context_body_resultant` or `fmc_context_obstacle_resultant`; 1 where the facet's body is the
-// second side of that pair, else 0; three of the slip of the facet, a length, in 2D the last 0; how far
-// it has slid since it rested, with `static_coefficient`, else 0. Rows ascend by facet, partner and side.
+// A row is 8 numbers. The first is the facet, by its place in `fmc_context_boundary_facets` from 0 whatever the base. Then follow
+// the kind of its partner, a value of `fmc_partner`, and the partner's index for `fmc_context_body_resultant` or
+// `fmc_context_obstacle_resultant`; then 1 where the facet's body is the second side of that pair, else 0. The last four are the
+// slip of the facet, three lengths, in 2D the last 0, and the slip since it rested, with `static_coefficient`, else 0. Rows ascend
+// by facet, partner and side.
 //
 // `count` becomes their number; `slip` has room for `capacity`. NULL with capacity 0: only the number is returned.
 //
@@ -3381,18 +3391,19 @@ fmc_status fmc_context_slip(const fmc_context *context,
                             size_t capacity,
                             size_t *count);
 
-// Sets the elastic slip that was carried into the step that has begun: `count` numbers, in rows as `fmc_context_slip` writes
-// them; what no row names has none.
+// Sets the elastic slip carried into the current step: `count` numbers, in rows as `fmc_context_slip` writes them. Facets
+// without a row have none.
 //
-// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NO_STEP`, `FMC_ERROR_LENGTH` where the last row is not whole,
-// `FMC_ERROR_INDEX_OUT_OF_RANGE` for a row that names a facet or a partner that there is not, or one twice, or is no such row,
-// `FMC_ERROR_BAD_VALUE`, `FMC_ERROR_NON_FINITE_SLIP`, `FMC_ERROR_BUSY`; the old slip then stays. Threads: one call at a time on a context.
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NO_STEP`, `FMC_ERROR_LENGTH` where the last row is not whole.
+// `FMC_ERROR_INDEX_OUT_OF_RANGE` for a row that names a facet or a partner that does not exist, that occurs twice, or that is not valid.
+// `FMC_ERROR_BAD_VALUE`, `FMC_ERROR_NON_FINITE_SLIP`, `FMC_ERROR_BUSY`; the old slip is then kept. Threads: one call at a time on a
+// context.
 fmc_status fmc_context_set_slip(fmc_context *context,
                                 const double *slip,
                                 size_t count);
 
-// What laws of friction of the host keep after the steps that were accepted (`fmc_context_commit_step`): for each row of `fmc_context_slip`, in its
-// order, as many numbers as the law of its pair has, none without a law. With the slip it is all that a restart needs of them.
+// The history of the host's laws of friction after the accepted steps (`fmc_context_commit_step`). For each row of `fmc_context_slip`, in
+// its order, it has as many numbers as the law of its pair, none without a law. A restart needs it and the slip.
 //
 // `count` becomes their number; `history` has room for `capacity`. NULL with capacity 0: only the number is returned.
 //
@@ -3403,18 +3414,18 @@ fmc_status fmc_context_friction_history(const fmc_context *context,
                                         size_t capacity,
                                         size_t *count);
 
-// Sets it, for a restart: `count` numbers, as `fmc_context_friction_history` writes them, after `fmc_context_set_slip` with the rows that they
-// belong to.
+// Sets this history, for a restart: `count` numbers, as `fmc_context_friction_history` writes them. Call it after `fmc_context_set_slip`
+// with the rows to which they belong.
 //
-// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_LENGTH` for another number of them, `FMC_ERROR_NOT_POSITIVE` for what is not finite,
-// `FMC_ERROR_NO_STEP`, `FMC_ERROR_BUSY`; the old one then stays. Threads: one call at a time on a context.
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_LENGTH` for a wrong `count`, `FMC_ERROR_NOT_POSITIVE` for a number that is not
+// finite, `FMC_ERROR_NO_STEP`, `FMC_ERROR_BUSY`; the old history is then kept. Threads: one call at a time on a context.
 fmc_status fmc_context_set_friction_history(fmc_context *context,
                                             const double *history,
                                             size_t count);
 
-// What all points of cohesive interfaces have been through in the steps that were accepted (`fmc_context_commit_step`), in the order of
-// `fmc_context_cohesive_points`: two numbers for each, its damage, 0 to 1, and the energy by area that it has dissipated. With the
-// coordinates it is all that a restart needs of them, but for friction and viscosity (`fmc_context_cohesive_history`).
+// State of all points of cohesive interfaces after the accepted steps (`fmc_context_commit_step`), in the order of
+// `fmc_context_cohesive_points`. Each point has two numbers: its damage, 0 to 1, and its dissipated energy by area. A restart needs it
+// and the coordinates, and with friction or viscosity also `fmc_context_cohesive_history`.
 //
 // `count` becomes their number; `damage` has room for `capacity`. NULL with capacity 0: only the number is returned.
 //
@@ -3425,19 +3436,19 @@ fmc_status fmc_context_damage(const fmc_context *context,
                               size_t capacity,
                               size_t *count);
 
-// Sets it: `count` numbers, as `fmc_context_damage` writes them, for a restart, or where an interface is damaged at first. A damage of 1 is a
-// crack.
+// Sets this state: `count` numbers, as `fmc_context_damage` writes them, for a restart, or for an initially damaged interface. A damage of
+// 1 is a crack.
 //
-// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_LENGTH` for another number of them, `FMC_ERROR_NOT_POSITIVE` for a damage outside 0 to 1 or a
-// negative energy, `FMC_ERROR_UNTIED`, `FMC_ERROR_BUSY`; the old damage then stays. Threads: one call at a time on a context.
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_LENGTH` for a wrong `count`, `FMC_ERROR_NOT_POSITIVE` for a damage outside 0 to 1 or a
+// negative energy, `FMC_ERROR_UNTIED`, `FMC_ERROR_BUSY`; the old damage is then kept. Threads: one call at a time on a context.
 fmc_status fmc_context_set_damage(fmc_context *context,
                                   const double *damage,
                                   size_t count);
 
-// What else these points have been through, five numbers for each: two of the slip of what is broken, as multiples of the edges of the facet of
-// `partner` that leave its first corner; the energies by area that friction and the viscosity have dissipated; and where the point was when the
-// step began, which is more than its damage says while viscosity holds damage back. All are 0 without friction and viscosity. A restart sets
-// them with the damage.
+// Further state of these points, five numbers for each. Two are the slip of the broken part, as multiples of the two edges at the first
+// corner of the facet of `partner`. Two are the energies by area that friction and the viscosity have dissipated. The last is the
+// loading of the point when the step began, sqrt(Y / Y0), which corresponds to more than its damage while the viscosity delays damage.
+// All are 0 without friction and viscosity. A restart sets them with the damage.
 //
 // `count` becomes their number; `history` has room for `capacity`. NULL with capacity 0: only the number is returned.
 //
@@ -3448,78 +3459,74 @@ fmc_status fmc_context_cohesive_history(const fmc_context *context,
                                         size_t capacity,
                                         size_t *count);
 
-// Sets it: `count` numbers, as `fmc_context_cohesive_history` writes them, for a restart.
+// Sets this state: `count` numbers, as `fmc_context_cohesive_history` writes them, for a restart.
 //
-// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_LENGTH` for another number of them, `FMC_ERROR_NOT_POSITIVE` for what is not finite or a
-// negative energy of the viscosity, `FMC_ERROR_UNTIED`, `FMC_ERROR_BUSY`; the old one then stays. Threads: one call at a time on a context.
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_LENGTH` for a wrong `count`, `FMC_ERROR_NOT_POSITIVE` for a number that is not finite or a
+// negative energy of the viscosity, `FMC_ERROR_UNTIED`, `FMC_ERROR_BUSY`; the old history is then kept. Threads: one call at a time on a
+// context.
 fmc_status fmc_context_set_cohesive_history(fmc_context *context,
                                             const double *history,
                                             size_t count);
 
-// How long the step takes that is under way, and each later one until this is called again: what the viscosity of cohesive interfaces goes
-// by. An evaluation with a viscosity fails as long as this was not called.
+// Sets the duration of the current step and of all later ones, for the viscosity of cohesive interfaces. Without this call an evaluation
+// with a viscosity fails.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NOT_POSITIVE`, `FMC_ERROR_BUSY`. Threads: one call at a time on a context.
 fmc_status fmc_context_set_time_step(fmc_context *context,
                                      double time_step);
 
-// The history of all points of interfaces by laws of the host after the steps that were accepted (`fmc_context_commit_step`), in the order of
-// `fmc_context_law_points`: as many numbers for each as its law has. With the coordinates it is all that a restart needs of them.
+// The history of all points of interfaces by laws of the host after the accepted steps (`fmc_context_commit_step`), in the order of
+// `fmc_context_law_points`: as many numbers for each as its law has. A restart needs it and the coordinates.
 //
 // `count` becomes their number; `history` has room for `capacity`. NULL with capacity 0: only the number is returned.
 //
-// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_UNTIED` as `fmc_context_law_points`, `FMC_ERROR_BUSY`; nothing is
-// written then. Threads: several at once on one context, as long as no call changes it.
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_UNTIED` as `fmc_context_law_points`, `FMC_ERROR_BUSY`;
+// nothing is written then. Threads: several at once on one context, as long as no call changes it.
 fmc_status fmc_context_law_history(const fmc_context *context,
                                    double *history,
                                    size_t capacity,
                                    size_t *count);
 
-// Sets it: `count` numbers, as `fmc_context_law_history` writes them, for a restart.
+// Sets this history: `count` numbers, as `fmc_context_law_history` writes them, for a restart.
 //
-// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_LENGTH` for another number of them, `FMC_ERROR_NOT_POSITIVE` for what is not finite,
-// `FMC_ERROR_UNTIED`, `FMC_ERROR_BUSY`; the old one then stays. Threads: one call at a time on a context.
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_LENGTH` for a wrong `count`, `FMC_ERROR_NOT_POSITIVE` for a number that is not
+// finite, `FMC_ERROR_UNTIED`, `FMC_ERROR_BUSY`; the old history is then kept. Threads: one call at a time on a context.
 fmc_status fmc_context_set_law_history(fmc_context *context,
                                        const double *history,
                                        size_t count);
 
-// The multipliers, ascending by node and partner: with the coordinates all that a restart needs, or a load step that is tried
-// again.
+// The multipliers, ascending by node and partner. A restart, or a repeated load step, needs them and the coordinates.
 //
 // `count` becomes their number; `rows` has room for `capacity`. NULL with capacity 0: only the number is returned.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_BUSY`. Threads: several at once on one
 // context, as long as no call changes it.
-fmc_status fmc_context_multipliers(const fmc_context *context,
-                                   fmc_multiplier *rows,
-                                   size_t capacity,
-                                   size_t *count);
+fmc_status fmc_context_multipliers(const fmc_context *context, fmc_multiplier *rows, size_t capacity, size_t *count);
 
-// Sets the multipliers, `count` structs as `fmc_context_multipliers` writes them; none: surfaces are where they are again.
+// Sets the multipliers, `count` structs as `fmc_context_multipliers` writes them; none: surfaces are no longer shifted.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_STRUCT_SIZE`, `FMC_ERROR_NODE_OUT_OF_RANGE`, `FMC_ERROR_BAD_VALUE` for a kind of
-// partner that there is not, `FMC_ERROR_NOT_POSITIVE` for a shift or a direction that is none, `FMC_ERROR_UNSUPPORTED` as
-// `fmc_context_augment`, `FMC_ERROR_BUSY`; what was moved out then stays. Threads: one call at a time on a context.
+// partner that does not exist, `FMC_ERROR_NOT_POSITIVE` for an invalid shift or direction, `FMC_ERROR_UNSUPPORTED` as
+// `fmc_context_augment`, `FMC_ERROR_BUSY`; the old multipliers are then kept. Threads: one call at a time on a context.
 fmc_status fmc_context_set_multipliers(fmc_context *context,
                                        const fmc_multiplier *rows,
                                        size_t count);
 
 // ---- Ranks, and a mesh in parts --------------------------------------------------------------------------
 
-// Sends bytes to all ranks, this one too, and receives what they send: rank r sends `counts[r]` bytes, and `received` gets
-// those of all ranks, one after the other. `user` is the pointer given with the function. MPI_Allgatherv is such a function;
+// Sends bytes to all ranks, this one too, and receives theirs: rank r sends `counts[r]` bytes, and `received` gets the bytes
+// of all ranks, one after the other. `user` is the pointer given with the function. MPI_Allgatherv is such a function;
 // `fmc_mpi.h` has it.
 //
 // Return 0; any other value makes the evaluation fail with `FMC_ERROR_COMMUNICATION`. It is called on the thread that evaluates,
 // in the same order on all ranks. It must not call a function of the same context, throw, or jump out.
 typedef int32_t (*fmc_all_gather)(void *user, const void *send, const uint64_t *counts, void *received);
 
-// Sends bytes to every rank, this one too, and receives what they have for this one: `send` has `send_counts[r]` bytes for rank r, one
+// Sends bytes to every rank, this one too, and receives their bytes for this rank: `send` has `send_counts[r]` bytes for rank r, one
 // rank after the other, and `received` gets `received_counts[r]` of rank r. `user` is the pointer given with the function.
 // MPI_Alltoallv is such a function; `fmc_mpi.h` has it.
 //
-// Return 0; any other value makes the call of the library fail with `FMC_ERROR_COMMUNICATION`. It is called as `fmc_all_gather` is,
-// and must not do what that must not.
+// Return 0; any other value makes the call of the library fail with `FMC_ERROR_COMMUNICATION`. The rules of `fmc_all_gather` apply.
 typedef int32_t (*fmc_all_to_all)(void *user,
                                   const void *send,
                                   const uint64_t *send_counts,
@@ -3539,14 +3546,14 @@ typedef struct {
   fmc_all_gather all_gather;
   // Handed to the functions.
   void *user;
-  // Moves bytes to single ranks; may be NULL, on all ranks, and what is for one rank then goes to all by `all_gather`. With a mesh
-  // in parts it takes the faces between ranks to those that may have the other side.
+  // Moves bytes to single ranks. It may be NULL, on all ranks; `all_gather` then sends these bytes to all ranks. With a mesh in
+  // parts it sends faces between ranks to the ranks that may have the other side.
   fmc_all_to_all all_to_all;
   // Zero. Room for functions of later versions.
   uint64_t reserved[5];
 } fmc_communicator;
 
-// What ranks did since the communicator was set: of this rank, but for `item_count`.
+// Work of this rank since the communicator was set; `item_count` is the total of all ranks.
 //
 // New fields take the place of reserved ones; the size of the struct does not change.
 typedef struct {
@@ -3554,7 +3561,7 @@ typedef struct {
   size_t struct_size;
   // Facets, bundles of lines, pieces of cells and pairs of facets that were divided among the ranks.
   uint64_t item_count;
-  // Those that this rank measured.
+  // Items that this rank measured.
   uint64_t own_item_count;
   // Calls of the communicator.
   uint64_t call_count;
@@ -3576,19 +3583,19 @@ typedef struct {
   int32_t index_size;
   // Zero. Room for switches of later versions.
   int32_t reserved_flags;
-  // Number of each in the whole mesh, counted from the option `index_base`, the same on all ranks that have it. Results are those
-  // of one rank alone whose mesh has its nodes in the order of these numbers; they need not be without gaps.
+  // Number of each in the whole mesh, counted from the option `index_base`, the same on all ranks that have it. Results are
+  // identical to one rank whose mesh has its nodes in the order of these numbers, which may have gaps.
   const void *node_numbers;
   // Cells, of own nodes counted from the option `index_base`.
   const fmc_cell_block *blocks;
   // Number of blocks.
   size_t block_count;
-  // Number of each cell in the whole mesh, over all blocks, counted from the option `index_base`. Results are those of a mesh with its
-  // cells in the order of these.
+  // Number of each cell in the whole mesh, over all blocks, counted from the option `index_base`. Results are identical to a mesh with
+  // its cells in the order of these numbers.
   const void *cell_numbers;
   // Body of each cell, as all ranks name it.
   const void *body_ids;
-  // How far `fmc_context_gap_constraints` may reach; 0 where it is not asked for.
+  // Largest `reach` of `fmc_context_gap_constraints`; 0 if it is not called.
   double reach;
   // Zero. Room for later versions.
   uint64_t reserved[4];
@@ -3602,7 +3609,7 @@ typedef struct {
   int32_t face;
   // Which of the facets of that face, from 0.
   int32_t part;
-  // What it faced: a value of `fmc_partner`.
+  // Kind of its partner: a value of `fmc_partner`.
   int32_t partner_kind;
   // 1 where the facet's body is the second side of that pair, else 0.
   int32_t is_second;
@@ -3610,11 +3617,11 @@ typedef struct {
   size_t partner;
   // Elastic slip of the facet, a length; in 2D the last is 0.
   double slip[3];
-  // How far it has slid since it rested, with `static_coefficient`, else 0; a length.
+  // Slip since it rested, with `static_coefficient`, else 0; a length.
   double slid;
 } fmc_carried_slip;
 
-// How much of a mesh in parts was gathered: the same on all ranks, but for the own cells.
+// Gathered part of a mesh in parts: the same on all ranks, except for the own cells.
 //
 // New fields take the place of reserved ones; the size of the struct does not change.
 typedef struct {
@@ -3623,12 +3630,12 @@ typedef struct {
   // Nodes and cells that every rank has.
   uint64_t node_count;
   uint64_t cell_count;
-  // Boundary facets that every rank has, and those of the whole mesh.
+  // Boundary facets that every rank has, and boundary facets of the whole mesh.
   uint64_t facet_count;
   uint64_t whole_facet_count;
   // Cells that this rank gave.
   uint64_t own_cell_count;
-  // How often cells were gathered.
+  // Number of times that cells were gathered.
   uint64_t gather_count;
   // Zero.
   uint64_t reserved[4];
@@ -3639,21 +3646,21 @@ typedef struct {
 // Errors: `FMC_ERROR_NULL_POINTER`. Threads: any, on different structs.
 fmc_status fmc_communicator_init(fmc_communicator *communicator);
 
-// Shares the work of the context's evaluations with other ranks; NULL: no more. The struct is copied. From then on all ranks
-// make the same calls on their contexts with the same coordinates, options, obstacles and history, and each gets the whole
-// result, with the bits of one rank alone, for any number of ranks. The number of threads may differ. What is divided is the
-// measuring of facets, lines and cells; pairs with a signed distance function are measured on every rank. Where there is too
-// little to be worth sending, every rank does all.
+// Shares the work of the context's evaluations with other ranks; NULL ends this. The struct is copied. From then on all
+// ranks make the same calls on their contexts with the same coordinates, options, obstacles and history. Each gets the
+// whole result, bit-for-bit identical to one rank, for any number of ranks. The number of threads may differ. Ranks divide
+// the measuring of facets, lines and cells; every rank measures pairs with a signed distance function. If there is too
+// little work to share, every rank does all.
 //
-// An evaluation that fails on one rank fails on all, with `FMC_ERROR_ON_OTHER_RANK` there; ranks that were given different things
-// are all told so, by `FMC_ERROR_RANKS_DIFFER`.
+// An evaluation that fails on one rank fails on all, with `FMC_ERROR_ON_OTHER_RANK` there. If ranks were given different data,
+// all return `FMC_ERROR_RANKS_DIFFER`.
 //
-// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_STRUCT_SIZE`, `FMC_ERROR_RESERVED_FIELD`, `FMC_ERROR_BAD_RANK`, `FMC_ERROR_BUSY`. Threads: one call at a time on a
-// context.
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_STRUCT_SIZE`, `FMC_ERROR_RESERVED_FIELD`, `FMC_ERROR_BAD_RANK`, `FMC_ERROR_BUSY`. Threads:
+// one call at a time on a context.
 fmc_status fmc_context_set_communicator(fmc_context *context,
                                         const fmc_communicator *communicator);
 
-// What ranks did since the communicator was set; zeros without one.
+// Work of this rank since the communicator was set; zeros without a communicator.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUSY`. Threads: any number at once.
 fmc_status fmc_context_rank_counts(const fmc_context *context, fmc_rank_counts *counts);
@@ -3663,14 +3670,14 @@ fmc_status fmc_context_rank_counts(const fmc_context *context, fmc_rank_counts *
 // Errors: `FMC_ERROR_NULL_POINTER`. Threads: any, on different structs.
 fmc_status fmc_mesh_part_init(fmc_mesh_part *part);
 
-// Makes a context of a mesh of which this rank has a part; all ranks call it together. Then every rank has, beside its own cells,
-// only those that may be in contact: `fmc_context_set_coords` takes the coordinates of the own nodes, and after it the other
-// functions of the context are used as with a whole mesh, with the nodes that `fmc_context_gathered_nodes` names, by all ranks
-// together, which share the work. Results have the bits of one rank with the whole mesh, for any number of ranks.
+// Makes a context of a mesh of which this rank has a part; all ranks call it together. Then every rank has its own cells and all
+// cells that may be in contact. `fmc_context_set_coords` takes the coordinates of the own nodes. After it all ranks call the
+// other functions of the context together, as with a whole mesh, with the nodes that `fmc_context_gathered_nodes` names, and
+// share the work. Results are bit-for-bit identical to one rank with the whole mesh, for any number of ranks.
 //
-// Nodes that are named to lie in planes of symmetry are own nodes; `fmc_context_set_coords` is called again after it. A body that may
-// touch itself, and one that by the law `FMC_LAW_DEPTH` or with friction meets an obstacle with facets, is gathered whole.
-// Refused are nodes that hang, another reference, a basis, and another communicator. It begins at the coordinates of the part.
+// Nodes in planes of symmetry are given as own nodes; call `fmc_context_set_coords` again after it. A body that may touch itself, and
+// one that by the law `FMC_LAW_DEPTH` or with friction meets an obstacle with facets, is gathered whole. Hanging nodes, another
+// reference, a basis, and another communicator are refused. It begins at the coordinates of the part.
 //
 // Errors: as `fmc_context_new_from_cells` and `fmc_context_set_communicator`, naming own nodes and cells; `FMC_ERROR_ON_OTHER_RANK`
 // where it failed on another rank. Threads: any, also at once.
@@ -3680,13 +3687,13 @@ fmc_status fmc_context_new_from_part(int32_t dim,
                                      const fmc_options *options,
                                      fmc_context **context);
 
-// Sets the coordinates of a mesh in parts: `coords` are those of this rank's own nodes, as many as were given to
+// Sets the coordinates of a mesh in parts: `coords` are the coordinates of this rank's own nodes, as many as were given to
 // `fmc_context_new_from_part`. Every rank calls it before it evaluates at these coordinates, after its options and obstacles
-// were set. Then the nodes, facets and cells of the context are those gathered: those that may be in contact, the same on all
-// ranks. `fmc_context_gathered_nodes` tells which and where they are.
+// were set. The context then has the gathered nodes, facets and cells: all that may be in contact, the same on all ranks.
+// `fmc_context_gathered_nodes` returns their numbers and coordinates.
 //
 // `renumbered`, which may be NULL, becomes 1 where other cells were gathered than before, so that their numbers have changed,
-// else 0. Slip, kept patches and frozen friction are carried over; tangents, patterns and points of the last evaluation are not.
+// else 0. Slip, kept patches and frozen friction are transferred; tangents, patterns and points of the last evaluation are not.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_LENGTH`, `FMC_ERROR_STRIDE`, `FMC_ERROR_UNSUPPORTED`; naming own nodes and cells
 // `FMC_ERROR_NON_FINITE_COORDINATE`, `FMC_ERROR_INVERTED_CELL`, `FMC_ERROR_ZERO_MEASURE`; `FMC_ERROR_RANKS_DIFFER` for a node in two
@@ -3695,27 +3702,28 @@ fmc_status fmc_context_set_coords(fmc_context *context,
                                   const fmc_coords *coords,
                                   int32_t *renumbered);
 
-// Sets the elastic slip that was carried into the step that has begun, of a mesh in parts: that of `count` facets, as
-// `fmc_context_carried_slip` writes them, zero for all others. All ranks give the same, after `fmc_context_begin_step`.
+// Sets the elastic slip carried into the current step, for a mesh in parts: `count` facets, as
+// `fmc_context_carried_slip` writes them; all other facets have zero slip. All ranks pass the same list, after
+// `fmc_context_begin_step`.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NO_STEP`, `FMC_ERROR_NON_FINITE_SLIP`, `FMC_ERROR_UNSUPPORTED` for a facet that was not
-// gathered, `FMC_ERROR_BUSY`; the old slip then stays. Threads: one call at a time on a context.
+// gathered, `FMC_ERROR_BUSY`; the old slip is then kept. Threads: one call at a time on a context.
 fmc_status fmc_context_set_carried_slip(fmc_context *context,
                                         const fmc_carried_slip *carried,
                                         size_t count);
 
-// How much of a mesh in parts was gathered.
+// Sizes of the gathered part of a mesh in parts.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_UNSUPPORTED` for a context of a whole mesh, `FMC_ERROR_BUSY`. Threads: several at once
 // on one context, as long as no call changes it.
 fmc_status fmc_context_gathered_counts(const fmc_context *context,
                                        fmc_gathered_counts *counts);
 
-// The nodes gathered, in the order in which the context counts them: `numbers`, their numbers in the whole mesh, ascending;
-// `own_nodes`, which of this rank's own nodes each is, -1 where it is a node of other ranks alone; both counted from the option
-// `index_base`; `coords`, where they are, `dim` numbers each in dense rows. Each may be NULL, and has room for `capacity` nodes;
-// `count` becomes their number. All three NULL with capacity 0: only the number is returned. Evaluations are at these coordinates;
-// forces, rows and columns are those of these nodes.
+// The gathered nodes, in the order in which the context counts them. `numbers` are their numbers in the whole mesh, ascending.
+// `own_nodes` are their places among this rank's own nodes, -1 for a node that only other ranks have. Both count from the
+// option `index_base`. `coords` are their coordinates, `dim` numbers each in dense rows. Each may be NULL, and has room for
+// `capacity` nodes; `count` becomes their number. All three NULL with capacity 0: only the number is returned. Evaluations are
+// at these coordinates; forces, rows and columns refer to these nodes.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_MISALIGNED_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_UNSUPPORTED`,
 // `FMC_ERROR_BUSY`. Threads: several at once on one context, as long as no call changes it.
@@ -3726,19 +3734,18 @@ fmc_status fmc_context_gathered_nodes(const fmc_context *context,
                                       size_t capacity,
                                       size_t *count);
 
-// The numbers in the whole mesh of the cells gathered, ascending, counted from the option `index_base`. `count` becomes how many they
-// are; `numbers` has room for `capacity`. NULL with capacity 0: only the number is returned.
+// The numbers in the whole mesh of the cells gathered, ascending, counted from the option `index_base`. `count` becomes their number;
+// `numbers` has room for `capacity`. NULL with capacity 0: only the number is returned.
 //
-// Errors: as `fmc_context_gathered_nodes`. Threads: as that.
+// Errors: as `fmc_context_gathered_nodes`. Threads: as there.
 fmc_status fmc_context_gathered_cells(const fmc_context *context,
                                       void *numbers,
                                       size_t capacity,
                                       size_t *count);
 
-// The elastic slip that was carried into the step, of all facets of a mesh in parts where it is not zero: the same list on all
-// ranks, ascending by cell, face and part. `count` becomes its length; `carried` has room for `capacity`. NULL with capacity 0: the
-// length alone is asked for. With the coordinates and poses at which the step began it is all that a restart needs, on any number of
-// ranks.
+// The elastic slip carried into the step, of all facets of a mesh in parts with slip: the same list on all ranks, ascending by cell,
+// face and part. `count` becomes its length; `carried` has room for `capacity`. NULL with capacity 0: only the length is returned. A
+// restart, on any number of ranks, needs it and the coordinates and poses at which the step began.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NO_STEP`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_UNSUPPORTED`, `FMC_ERROR_BUSY`. Threads:
 // several at once on one context, as long as no call changes it.
@@ -3756,27 +3763,28 @@ fmc_status fmc_context_free(fmc_context **context);
 
 // ---- All in one call, without a context ------------------------------------------------------------------
 
-// A step with friction, for `fmc_contact_force`, which does not write into it. `fmc_friction_step_init` sets what need not be given.
+// A step with friction, for `fmc_contact_force`, which does not write into it. `fmc_friction_step_init` sets the optional fields.
 //
-// The host keeps the slip that is carried into the next step; that of a step which it rejects it does not keep.
+// The host keeps the slip that is carried into the next step, and discards the slip of a rejected step.
 typedef struct {
   // Set by `fmc_friction_step_init`, so that a struct that was not initialised is recognised.
   size_t struct_size;
   // Coordinates at which the step began, (node_count, dim).
   const double *start;
-  // Coordinates without deformation, (node_count, dim), from which the law "depth" has its depths; NULL, the default:
-  // `start`.
+  // Coordinates without deformation, (node_count, dim), from which the law "depth" measures its depths; NULL, the
+  // default: `start`.
   const double *reference;
   // Elastic slip that was carried into the step, in rows of 8 numbers, as `fmc_context_slip` writes them; NULL, the default: none.
   const double *slip;
   // Numbers in `slip`; 0, the default: none.
   size_t slip_count;
-  // Where the elastic slip goes that is carried into the next step, in such rows, if the end of this one is accepted; may be
-  // `slip` itself. NULL, the default: not wanted.
+  // Receives the elastic slip for the next step, in such rows, if the host accepts the end of this one; may be `slip`
+  // itself. NULL, the default: no output.
   double *next_slip;
   // Numbers for which `next_slip` has room.
   size_t next_slip_capacity;
-  // Where their number goes; NULL, the default: not wanted. With `next_slip` NULL and no capacity it alone is asked for.
+  // Receives their number; NULL, the default: no output. With `next_slip` NULL and no capacity only the number is
+  // returned.
   size_t *next_slip_count;
   // Zero. Room for later versions.
   uint64_t reserved[8];
@@ -3790,18 +3798,18 @@ fmc_status fmc_friction_step_init(fmc_friction_step *step);
 // Contact forces between the bodies of a mesh, in one call.
 //
 // `dim` is 2 or 3; `coords`, (node_count, dim), are the coordinates of all nodes; `blocks` are the cells, in one block for each
-// type; `body_ids`, one for every cell counted over the blocks, may be NULL: bodies are the connected components by faces.
-// `options` must have been initialised and have `stiffness` set. `step` may be NULL; with friction it says where the step began that
-// ends at `coords`, and receives the elastic slip that is carried into the next.
+// type. `body_ids`, one for every cell counted over the blocks, may be NULL: bodies are the connected components by faces. `options`
+// must have been initialised and have `stiffness` set. `step` may be NULL; with friction it gives the start of the step that ends at
+// `coords`, and receives the elastic slip for the next step.
 //
-// `forces`, (node_count, dim), receives the force on every node, which pushes bodies apart; `volume`, which may be
-// NULL, the overlap volume (2D: area), summed over the pairs. All are written only on success. The result is that of
-// a context, bit for bit, and with a step that of a context made at `step->reference` that goes through `fmc_context_begin_step`,
-// `fmc_context_set_slip`, `fmc_context_evaluate` and `fmc_context_commit_step`; a context finds the boundary facets once for many
-// evaluations, accepts strides and obstacles, and reports forces per body, pairs and warnings.
+// `forces`, (node_count, dim), receives the force on every node, which pushes bodies apart; `volume`, which may be NULL, the
+// overlap volume (2D: area), summed over the pairs. All are written only on success. The result is bit-for-bit identical to a
+// context. With a step this is a context made at `step->reference`, followed by `fmc_context_begin_step`, `fmc_context_set_slip`,
+// `fmc_context_evaluate` and `fmc_context_commit_step`. A context finds the boundary facets once for many evaluations, accepts
+// strides and obstacles, and reports forces per body, pairs and warnings.
 //
-// Errors: those of `fmc_context_new_from_cells`, of `fmc_context_evaluate`, and with a step of the calls above; with friction and
-// without a step `FMC_ERROR_NO_STEP`; the text, with the offending indices, is given by `fmc_last_error`. Threads: any, also at once.
+// Errors: as `fmc_context_new_from_cells`, `fmc_context_evaluate`, and with a step the calls above; with friction and without a step
+// `FMC_ERROR_NO_STEP`. `fmc_last_error` returns the text, with the offending indices. Threads: any, also at once.
 fmc_status fmc_contact_force(int32_t dim,
                              const double *coords,
                              size_t node_count,

@@ -53,7 +53,7 @@ pub(crate) const SECTIONS: [Section; 21] = [
         ],
     ),
     (
-        "Evaluate: forces and what belongs to them",
+        "Evaluate: forces, totals and warnings",
         &["structs/evaluation", "calls/evaluation/evaluate", "calls/results/getters"],
     ),
     (
@@ -70,7 +70,7 @@ pub(crate) const SECTIONS: [Section; 21] = [
         &["calls/steps/friction", "calls/steps/patches", "calls/steps/stable_step", "calls/steps/step_limit"],
     ),
     ("Gaps and overlaps at the start", &["calls/steps/adjustment"]),
-    ("As little penetration as is wanted", &["structs/multiplier", "calls/steps/augmentation"]),
+    ("Penetration tolerance (method of multipliers)", &["structs/multiplier", "calls/steps/augmentation"]),
     (
         "Equilibrium at the end of a load step",
         &["structs/equilibrium", "structs/equilibrium_result", "calls/solver/equilibrium"],

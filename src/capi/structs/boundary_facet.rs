@@ -16,17 +16,17 @@ pub struct fmc_boundary_facet {
     /// Its number among the facets that the context was made from, counted from `index_base` over all blocks; -1 where it was made
     /// from cells.
     pub input_facet: i64,
-    /// Number of its face among those of the cell, as VTK counts them, from 0 whatever the base; -1 without cells. The nodes of face 0, 1, ...
-    /// by their place in the cell, in VTK's order: triangle 01, 12, 20; quadrilateral 01, 12, 23, 30; tetrahedron
-    /// 013, 123, 203, 021; hexahedron 0473, 1265, 0154, 3762, 0321, 4567; wedge 012, 354, 0341, 1452, 2530; pyramid 0321, 014,
-    /// 124, 234, 304; of cells of second order the same, by their corners.
+    /// Number of its face in the cell, as VTK counts them, from 0 whatever the base; -1 without cells. The corners of face 0, 1, ... by
+    /// their place in the cell, in VTK's order: triangle 01, 12, 20. Quadrilateral 01, 12, 23, 30. Tetrahedron 013, 123, 203, 021.
+    /// Hexahedron 0473, 1265, 0154, 3762, 0321, 4567. Wedge 012, 354, 0341, 1452, 2530. Pyramid 0321, 014, 124, 234, 304.
     pub local_face: i32,
-    /// Number of nodes of its face: 2 in 2D, 3 or 4 in 3D; of a face of second order of the part in which the facet lies.
+    /// Number of nodes of its face: 2 in 2D, 3 or 4 in 3D; on a face of second order, of the part in which the facet
+    /// lies.
     pub node_count: i32,
     /// Nodes of its face, counted from the option `index_base`; unused ones are -1. In 2D the body lies left of the way from
-    /// the first to the second, in 3D they run counter-clockwise seen from outside, also where the cell is numbered the
-    /// other way round. Of four, the facet is the triangle of the first two and the mean of all. Of a face of second order they
-    /// are points of its division, of which `fmc_context_point_weights` tells; those from the node count on are no nodes.
+    /// the first to the second. In 3D they run counter-clockwise seen from outside, also where the cell is numbered the other
+    /// way round. With four nodes the facet is the triangle of the first two and the mean of all. On a face of second order
+    /// they are points of its division, see `fmc_context_point_weights`; numbers from the node count on are not nodes.
     pub nodes: [i64; 4],
     /// Zero.
     pub reserved: [u64; 4],

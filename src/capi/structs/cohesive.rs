@@ -8,7 +8,8 @@ use crate::contact::{CohesivePoint, CohesiveSummary};
 pub struct fmc_cohesive {
     /// Size of this struct, as the library wrote it.
     pub struct_size: usize,
-    /// All of it, in area without deformation (2D: length; with axisymmetry the area of whole rings); 0: there is none.
+    /// Its total area, without deformation (2D: length; with axisymmetry the area of whole rings); 0: there is no
+    /// interface.
     pub area: f64,
     /// The largest gap, or overlap, that is kept between the surfaces, a length.
     pub largest_gap: f64,
@@ -16,13 +17,13 @@ pub struct fmc_cohesive {
     pub point_count: usize,
     /// Energy that unloading would give back.
     pub stored: f64,
-    /// Energy that has been dissipated since nothing was damaged.
+    /// Energy that damage has dissipated so far.
     pub dissipated: f64,
     /// Area of points that are damaged, broken ones among them.
     pub damaged_area: f64,
     /// Area of points that are broken.
     pub broken_area: f64,
-    /// Energy that friction of what is broken has dissipated, less what the stick of newly broken area stores.
+    /// Energy that friction of the broken part has dissipated, minus the stick energy of newly broken area.
     pub rubbed: f64,
     /// Energy that the viscosity has dissipated.
     pub viscous: f64,
@@ -42,21 +43,21 @@ pub struct fmc_cohesive_point {
     pub partner: usize,
     /// Where it is, on `body`; in 2D the last is 0.
     pub position: [f64; 3],
-    /// Area that it stands for, without deformation.
+    /// Its tributary area, without deformation.
     pub area: f64,
-    /// How far the bodies are apart beyond the gap at first, along the normal of `partner`, a length; negative where they are pressed.
+    /// Opening beyond the initial gap, along the normal of `partner`, a length; negative in compression.
     pub opening: f64,
-    /// How far `body` has slid along the surface of `partner`, a length; in 2D the last is 0.
+    /// Slip of `body` along the surface of `partner`, a length; in 2D the last is 0.
     pub sliding: [f64; 3],
-    /// Traction on `partner`, force by area, along its outward normal where the bodies are pulled apart; in 2D the last is 0.
+    /// Traction on `partner`, force by area, along its outward normal in tension; in 2D the last is 0.
     pub traction: [f64; 3],
     /// Damage, 0 to 1, as it would be after a step that ends here.
     pub damage: f64,
     /// Energy by area that has been dissipated then.
     pub dissipated: f64,
-    /// The same that friction of what is broken has dissipated.
+    /// Energy by area that friction of the broken part has dissipated.
     pub rubbed: f64,
-    /// The same that the viscosity has dissipated.
+    /// Energy by area that the viscosity has dissipated.
     pub viscous: f64,
     /// Zero.
     pub reserved: [u64; 3],

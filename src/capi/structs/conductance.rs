@@ -5,8 +5,8 @@ use crate::capi::boundary::given_struct::check_struct;
 use crate::capi::boundary::pointer::slice;
 use crate::contact::Conductance;
 
-/// Conductance h of a contact: flux by area and jump of the field, for heat W/(m^2 K). Tables are linear between their entries, and of the
-/// length that is said.
+/// Conductance h of a contact: flux by area and jump of the field, for heat W/(m^2 K). Tables are linear between their entries; each has
+/// its own length.
 ///
 /// New fields take the place of reserved ones; the size of the struct does not change.
 #[repr(C)]
@@ -14,19 +14,19 @@ use crate::contact::Conductance;
 pub struct fmc_conductance {
     /// Set by `fmc_conductance_init`, so that a struct that was not initialised is recognised.
     pub struct_size: usize,
-    /// Number of entries by pressure, where surfaces touch; 1 for a constant, 0 where nothing flows.
+    /// Number of entries by pressure, where surfaces touch; 1 for a constant, 0 for no flux.
     pub pressure_count: usize,
-    /// Pressures, ascending, not negative. Before the first and beyond the last h stays as it is there.
+    /// Pressures, ascending, not negative. h is constant before the first and beyond the last.
     pub pressures: *const f64,
     /// h at these pressures, not negative.
     pub by_pressure: *const f64,
-    /// Number of entries by gap, where surfaces are apart; 0 where nothing flows.
+    /// Number of entries by gap, where surfaces are apart; 0 for no flux.
     pub gap_count: usize,
-    /// Gaps, ascending, not negative. Before the first h stays as it is there; beyond the last nothing flows.
+    /// Gaps, ascending, not negative. h is constant before the first; beyond the last there is no flux.
     pub gaps: *const f64,
     /// h at these gaps, not negative.
     pub by_gap: *const f64,
-    /// Zero. Room for what later versions know.
+    /// Zero. Room for fields of later versions.
     pub reserved: [u64; 8],
 }
 

@@ -4,7 +4,7 @@ use super::evaluation::{padded, side_of};
 use crate::contact::{PointOfContact, SideOfPoint};
 
 /// One end of a contact point: where, and the shape functions of the boundary face, or of the cell, there. With cells of second
-/// order those of the straight face or cell of their division.
+/// order they belong to the straight face or cell of the division.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct fmc_contact_side {
@@ -26,11 +26,11 @@ pub struct fmc_contact_side {
     pub position: [f64; 3],
 }
 
-/// A point of the contact, and the area for which it stands.
+/// A point of the contact, and its tributary area.
 ///
-/// With the law "fiber" it is a piece of a line inside both sides of a pair, from the boundary of one to that of the other.
-/// With the law "depth" it is the centre of the pressure on what a facet has inside the other side; facets of both bodies
-/// are pressed, each for half of its area, facets against an obstacle for all of it.
+/// With the law "fiber" it is a piece of a line inside both sides of a pair, between their boundaries. With the law "depth"
+/// it is the centre of the pressure on the part of a facet inside the other side. Facets of both bodies are pressed, each
+/// with half of its area, facets against an obstacle with all of it.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct fmc_contact_point {
@@ -41,7 +41,7 @@ pub struct fmc_contact_point {
     pub patch: usize,
     /// Middle of the piece, or the centre of pressure; in 2D the last entry is 0.
     pub position: [f64; 3],
-    /// Unit vector along the line, or that of the facet, outwards of the first side; in 2D the last entry is 0.
+    /// Unit vector along the line, or normal of the facet, outwards of the first side; in 2D the last entry is 0.
     pub normal: [f64; 3],
     /// Minus the penetration: the length of the piece; the mean depth of the facet's part below the other surface.
     pub gap: f64,
@@ -52,8 +52,8 @@ pub struct fmc_contact_point {
     /// Traction of friction on the first side, the sum of friction * area being its resultant there; in 2D the last entry
     /// is 0.
     pub friction: [f64; 3],
-    /// Slip of the first side against the second since the step began, without what is elastic: that of the facets on
-    /// which the point lies; in 2D the last entry is 0.
+    /// Slip of the first side against the second since the step began, without its elastic part, at the facets on which
+    /// the point lies; in 2D the last entry is 0.
     pub slip: [f64; 3],
     /// Part of the area that slides: 0 where the point sticks, 0.5 where one of its two facets does, else 1.
     pub sliding: f64,

@@ -9,9 +9,9 @@ use crate::capi::boundary::pointer::slice;
 use crate::capi::boundary::status::fmc_status::{FMC_ERROR_RESERVED_FIELD, FMC_ERROR_STRUCT_SIZE};
 use crate::contact::{FacetSlip, PairGradient};
 
-/// Along what `fmc_context_jvp` differentiates: rates of what energy and forces depend on, all summed. What is NULL, or 0, rests. With n
-/// rows of `coords` and m obstacles, removed ones included, all in dense rows; units are those of the parameter by one that the host
-/// chooses, such as a time.
+/// Direction of `fmc_context_jvp`: rates of all variables of energy and forces, applied together. Variables with NULL or 0 are held.
+/// With n rows of `coords` and m obstacles, removed ones included, all in dense rows; units are the unit of the variable / a unit that
+/// the host chooses, such as a time.
 ///
 /// New fields take the place of reserved ones; the size of the struct does not change.
 #[repr(C)]
@@ -32,15 +32,15 @@ pub struct fmc_directions {
     /// Of the coefficient of friction of every pair that touches.
     pub friction: f64,
     /// Of single pairs, in addition: structs as `fmc_context_vjp` writes them, with rates in the place of derivatives. A pair that does not
-    /// touch does nothing.
+    /// touch has no effect.
     pub pairs: *const fmc_pair_gradient,
-    /// How many there are.
+    /// Number of structs.
     pub pair_count: usize,
     /// Of the elastic slip carried into the step: rows as `fmc_context_slip` writes them, of which the last number is not read.
     pub slip: *const f64,
-    /// How many numbers these are.
+    /// Number of entries.
     pub slip_count: usize,
-    /// Zero. Room for what later versions know.
+    /// Zero. Room for fields of later versions.
     pub reserved: [u64; 4],
 }
 

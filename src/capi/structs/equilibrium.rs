@@ -24,8 +24,8 @@ pub struct fmc_equilibrium_problem {
     pub unknown_count: usize,
     /// Number of rows of coordinates, as the context has them.
     pub row_count: usize,
-    /// Unknown of every coordinate, `row_count * dim` numbers by row, wide as `index_size` of the mesh says and counted from
-    /// `index_base`; any number below that for a coordinate that never moves.
+    /// Unknown of every coordinate, `row_count * dim` numbers by row, of the mesh's `index_size` and counted from
+    /// `index_base`. A coordinate that never moves has any number below `index_base`.
     pub unknown_of_coordinate: *const c_void,
     /// Coordinates where all unknowns are zero, `row_count * dim` numbers by row.
     pub base: *const f64,

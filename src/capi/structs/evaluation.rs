@@ -104,9 +104,9 @@ pub struct fmc_pair_result {
     pub volume_standard_error: f64,
     /// Energy.
     pub energy: f64,
-    /// Mean of the contact pressure over the contact: with the law "volume" dw/dV, one value for the whole pair; with
-    /// "fiber" psi'(L), the mean over its lines; with "depth" k times the depth of either surface below the other, the
-    /// mean over both.
+    /// Mean of the contact pressure over the contact. With the law "volume" it is dw/dV, one value for the whole pair;
+    /// with "fiber" the mean of psi'(L) over its lines. With "depth" it is k times the mean depth of either surface
+    /// below the other, over both.
     pub pressure: f64,
     /// Area of contact (2D: length): half of the boundary of the overlap, including the strips of penetrating side
     /// walls. The law "fiber" does not see strips along its lines; with "depth" and an obstacle it is the surface of

@@ -3,20 +3,21 @@
 use super::evaluation::side_of;
 use crate::contact::GapConstraints;
 
-/// The weighted gap of a node of one body over the surface of one partner: gap = int N phi dA over what the facets of the
-/// node have nearer than the reach and facing the partner, within 60 degrees of the way to its nearest point. N is the shape
-/// function of the node, phi the distance from the partner's surface, negative inside. Contact is gap >= 0.
+/// The weighted gap of a node of one body over the surface of one partner: gap = int N phi dA over a part of the facets of
+/// the node. This part is nearer than the reach, and faces the partner within 60 degrees of the direction to its nearest
+/// point. N is the shape function of the node, phi the distance from the partner's surface, negative inside. Contact is gap
+/// >= 0.
 ///
-/// With cells of second order a row is that of a point of their division, and N is its straight shape function, which is
-/// positive everywhere; that of a node would not be, and its integral at the corner of a face may vanish. Multipliers are
-/// then pressures at points; the derivative is that by nodes.
+/// With cells of second order a row belongs to a point of their division, and N is its straight shape function, which is
+/// positive everywhere. The shape function of a node is not, and its integral at the corner of a face may vanish.
+/// Multipliers are then pressures at points; the derivative is that by nodes.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct fmc_gap_constraint {
     /// Size of this struct, as the library wrote it.
     pub struct_size: usize,
     /// The node, counted from the option `index_base`; with cells of second order the point, see
-    /// `fmc_context_point_weights`: from the node count on it is no node.
+    /// `fmc_context_point_weights`: numbers from the node count on are not nodes.
     pub node: i64,
     /// Its body, an index for `fmc_context_body_resultant`.
     pub body: usize,

@@ -17,8 +17,8 @@ pub const FMC_GRADIENT_GAP_OFFSET: u32 = 2;
 /// Flag of `fmc_gradients`: by the coefficient of friction of every pair that touches.
 pub const FMC_GRADIENT_FRICTION: u32 = 4;
 
-/// By what `fmc_context_vjp` differentiates, and where that goes: arrays of the host, each NULL where it is not asked for, which is then
-/// not computed. With n rows of `coords` and m obstacles, removed ones included, all in dense rows.
+/// Variables of `fmc_context_vjp`, and output arrays of the host. A derivative whose array is NULL is not computed. With n rows of
+/// `coords` and m obstacles, removed ones included, all in dense rows.
 ///
 /// New fields take the place of reserved ones; the size of the struct does not change.
 #[repr(C)]
@@ -29,26 +29,27 @@ pub struct fmc_gradients {
     /// By the coordinates: room for n * dim numbers.
     pub coords: *mut f64,
     /// By the coordinates without deformation, as `fmc_context_set_reference` takes them, the current ones held: room for n * dim
-    /// numbers. The law "depth" has its depths from them; other laws do not depend on them.
+    /// numbers. The law "depth" measures its depths from them; other laws do not depend on them.
     pub reference: *mut f64,
     /// By the position of every obstacle: room for m * dim numbers.
     pub positions: *mut f64,
     /// By a rotation vector of every obstacle about its position: room for m * 3 numbers; in 2D only the last of three differs from zero.
     pub rotations: *mut f64,
-    /// What is asked for of every pair: a sum of `FMC_GRADIENT_STIFFNESS`, `FMC_GRADIENT_GAP_OFFSET` and `FMC_GRADIENT_FRICTION`, or 0.
+    /// Requested derivatives of every pair: a sum of `FMC_GRADIENT_STIFFNESS`, `FMC_GRADIENT_GAP_OFFSET` and `FMC_GRADIENT_FRICTION`,
+    /// or 0.
     pub of_pairs: u64,
-    /// Factors of the elastic slip with which the step ends, a term more beside energy and forces: rows as `fmc_context_slip` writes them.
-    /// NULL stands for zeros. `fmc_context_commit_step` at `coords` would carry this slip on.
+    /// Factors of the elastic slip at the end of the step, a third term next to energy and forces: rows as `fmc_context_slip` writes them.
+    /// NULL: zeros. `fmc_context_commit_step` at `coords` would carry this slip on.
     pub slip_adjoint: *const f64,
-    /// How many numbers these are.
+    /// Number of entries.
     pub slip_adjoint_count: usize,
-    /// By the elastic slip that was carried into the step: such rows, of every facet that friction acts on. Room for `slip_capacity` numbers.
+    /// By the elastic slip carried into the step: such rows, for every facet with friction. Room for `slip_capacity` numbers.
     pub slip: *mut f64,
     /// Room in `slip`.
     pub slip_capacity: usize,
-    /// Becomes how many numbers there are. With `slip` NULL and no room that alone is asked for; both NULL: neither is.
+    /// Becomes the number of entries. With `slip` NULL and no room only the number is returned; both NULL: nothing is.
     pub slip_count: *mut usize,
-    /// Zero. Room for what later versions know.
+    /// Zero. Room for fields of later versions.
     pub reserved: [u64; 3],
 }
 
@@ -114,7 +115,7 @@ impl fmc_gradients {
     }
 }
 
-/// Derivatives by what one pair has; 0 for what was not asked for. For `fmc_context_jvp` rates of this.
+/// Derivatives by the parameters of one pair; 0 if not requested. For `fmc_context_jvp` rates of these parameters.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct fmc_pair_gradient {

@@ -17,7 +17,7 @@ pub struct fmc_carried_slip {
     pub face: i32,
     /// Which of the facets of that face, from 0.
     pub part: i32,
-    /// What it faced: a value of `fmc_partner`.
+    /// Kind of its partner: a value of `fmc_partner`.
     pub partner_kind: i32,
     /// 1 where the facet's body is the second side of that pair, else 0.
     pub is_second: i32,
@@ -25,7 +25,7 @@ pub struct fmc_carried_slip {
     pub partner: usize,
     /// Elastic slip of the facet, a length; in 2D the last is 0.
     pub slip: [f64; 3],
-    /// How far it has slid since it rested, with `static_coefficient`, else 0; a length.
+    /// Slip since it rested, with `static_coefficient`, else 0; a length.
     pub slid: f64,
 }
 

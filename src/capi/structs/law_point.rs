@@ -14,15 +14,15 @@ pub struct fmc_law_point {
     pub partner: usize,
     /// Where it is, on `body`; in 2D the last is 0.
     pub position: [f64; 3],
-    /// Area that it stands for, without deformation.
+    /// Its tributary area, without deformation.
     pub area: f64,
     /// Normal of `partner` and axes in its plane, as in `fmc_law_points`, three numbers each; in 2D the third axis is z.
     pub axes: [f64; 9],
-    /// Opening beyond the gap at first, and sliding, along these; in 2D the last is 0.
+    /// Opening beyond the initial gap, and sliding, along these axes; in 2D the last is 0.
     pub jump: [f64; 3],
-    /// Traction along these, force by area: positive along the normal where the bodies are pulled apart; in 2D the last is 0.
+    /// Traction along these axes, force by area: positive along the normal in tension; in 2D the last is 0.
     pub traction: [f64; 3],
-    /// Energy by area that unloading would give back, as the law tells.
+    /// Energy by area that unloading would give back, as the law returns it.
     pub stored: f64,
     /// The same that has been dissipated.
     pub dissipated: f64,

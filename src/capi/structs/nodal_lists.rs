@@ -29,7 +29,8 @@ pub struct fmc_nodal_contact {
     pub struct_size: usize,
     /// Contact pressure: the nodal force by the area on which it acts, |F| / int N dA.
     pub pressure: *mut f64,
-    /// Minus the penetration, the mean over the same part, and never positive: distances of what is apart are not measured.
+    /// Minus the penetration, the mean over the same part, and never positive: distances of separated surfaces are not
+    /// measured.
     pub gap: *mut f64,
     /// Area (2D: length) on which it acts: int N dA over the part of the facets at the node that is in contact, N being the node's
     /// shape function. Never more than the node's part of the surface.
@@ -43,7 +44,7 @@ pub struct fmc_nodal_contact {
     /// Values of `fmc_node_status`.
     pub status: *mut i32,
     /// The mean of the law's pressure over the same part, weighted with the node's shape function, int N p dA / int N dA; with the law
-    /// "volume" that of the pair. On curved surfaces it scatters more than `pressure`.
+    /// "volume" the pressure of the pair. On curved surfaces it scatters more than `pressure`.
     pub local_pressure: *mut f64,
     /// Zero. Room for outputs of later versions.
     pub reserved: [u64; 8],

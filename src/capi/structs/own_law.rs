@@ -27,8 +27,8 @@ pub struct fmc_law_points {
     pub partner: usize,
     /// Duration of the step (`fmc_context_set_time_step`); 0: not set.
     pub time_step: f64,
-    /// Lengths, (count, dim): the opening beyond the initial gap, along the normal of `partner`, negative in compression; then the slip of
-    /// `body` along the axes in the plane of the facet of `partner`.
+    /// Lengths, (count, dim). First the opening beyond the initial gap, along the normal of `partner`, negative in compression; then the
+    /// slip of `body` along the axes in the plane of the facet of `partner`.
     pub jump: *const f64,
     /// Normal of `partner` and tangential axes, by rows, (count, dim, dim), orthonormal. In 2D the axis is the normal turned by +90
     /// degrees. In 3D the first is the x axis projected into the undeformed facet (the z axis, where the normal is within 0.1 degrees of

@@ -12,15 +12,16 @@ pub struct fmc_tie {
     pub area: f64,
     /// The largest gap, or overlap, that is kept between the surfaces, a length.
     pub largest_gap: f64,
-    /// Number of means of the jump that are held: of nodes of the side that holds, mostly that with the larger facets.
+    /// Number of means of the jump that are held: one for each node of the holding side, mostly the side with the
+    /// larger facets.
     pub node_count: usize,
-    /// How far apart faces might be, or how far they might overlap, a length: as it was given, or what it is by default.
+    /// Largest distance or overlap of tied faces, a length: as given, or its default.
     pub reach: f64,
     /// Zero.
     pub reserved: [u64; 3],
 }
 
-/// A node of a tie, of the side that holds, mostly that with the larger facets.
+/// A node of a tie, on the holding side, mostly the side with the larger facets.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct fmc_tie_node {
@@ -31,13 +32,13 @@ pub struct fmc_tie_node {
     pub node: i64,
     /// Its body, an index for `fmc_context_body_resultant`.
     pub body: usize,
-    /// The body that it is tied to.
+    /// The body to which it is tied.
     pub partner: usize,
-    /// Area that it stands for.
+    /// Its tributary area.
     pub area: f64,
     /// Traction on its body, force by area; in 2D the last is 0.
     pub traction: [f64; 3],
-    /// Mean of how far its body has moved away from the other one, a length; in 2D the last is 0.
+    /// Mean separation of its body from the other one, a length; in 2D the last is 0.
     pub jump: [f64; 3],
     /// Zero.
     pub reserved: [u64; 4],

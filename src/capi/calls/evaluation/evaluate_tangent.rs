@@ -13,7 +13,8 @@ use crate::capi::structs::view::{fmc_coords, fmc_forces};
 /// `fmc_context_evaluate` and `fmc_context_tangent` at the same coordinates, in little more than the time of the second:
 /// bodies are measured once. All results are bit-for-bit identical to the two calls, and are kept in the same way.
 ///
-/// `flags`: `FMC_EVALUATE_ADD`, `FMC_TANGENT_SEMIDEFINITE` and `FMC_TANGENT_SYMMETRIC`. All outputs may be NULL, and are written only on success.
+/// `flags`: `FMC_EVALUATE_ADD`, `FMC_TANGENT_SEMIDEFINITE` and `FMC_TANGENT_SYMMETRIC`. All outputs may be NULL, and are written only on
+/// success.
 ///
 /// Errors: as both calls. Threads: one call at a time on a context.
 #[unsafe(no_mangle)]

@@ -11,9 +11,9 @@ use crate::capi::structs::evaluation::Evaluation;
 use crate::capi::structs::view::{fmc_coords, fmc_forces};
 use std::ptr::{null, null_mut};
 
-/// A step with friction, for `fmc_contact_force`, which does not write into it. `fmc_friction_step_init` sets what need not be given.
+/// A step with friction, for `fmc_contact_force`, which does not write into it. `fmc_friction_step_init` sets the optional fields.
 ///
-/// The host keeps the slip that is carried into the next step; that of a step which it rejects it does not keep.
+/// The host keeps the slip that is carried into the next step, and discards the slip of a rejected step.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct fmc_friction_step {
@@ -21,19 +21,20 @@ pub struct fmc_friction_step {
     pub struct_size: usize,
     /// Coordinates at which the step began, (node_count, dim).
     pub start: *const f64,
-    /// Coordinates without deformation, (node_count, dim), from which the law "depth" has its depths; NULL, the default:
-    /// `start`.
+    /// Coordinates without deformation, (node_count, dim), from which the law "depth" measures its depths; NULL, the
+    /// default: `start`.
     pub reference: *const f64,
     /// Elastic slip that was carried into the step, in rows of 8 numbers, as `fmc_context_slip` writes them; NULL, the default: none.
     pub slip: *const f64,
     /// Numbers in `slip`; 0, the default: none.
     pub slip_count: usize,
-    /// Where the elastic slip goes that is carried into the next step, in such rows, if the end of this one is accepted; may be
-    /// `slip` itself. NULL, the default: not wanted.
+    /// Receives the elastic slip for the next step, in such rows, if the host accepts the end of this one; may be `slip`
+    /// itself. NULL, the default: no output.
     pub next_slip: *mut f64,
     /// Numbers for which `next_slip` has room.
     pub next_slip_capacity: usize,
-    /// Where their number goes; NULL, the default: not wanted. With `next_slip` NULL and no capacity it alone is asked for.
+    /// Receives their number; NULL, the default: no output. With `next_slip` NULL and no capacity only the number is
+    /// returned.
     pub next_slip_count: *mut usize,
     /// Zero. Room for later versions.
     pub reserved: [u64; 8],

@@ -17,18 +17,18 @@ use std::ffi::c_void;
 /// Contact forces between the bodies of a mesh, in one call.
 ///
 /// `dim` is 2 or 3; `coords`, (node_count, dim), are the coordinates of all nodes; `blocks` are the cells, in one block for each
-/// type; `body_ids`, one for every cell counted over the blocks, may be NULL: bodies are the connected components by faces.
-/// `options` must have been initialised and have `stiffness` set. `step` may be NULL; with friction it says where the step began that
-/// ends at `coords`, and receives the elastic slip that is carried into the next.
+/// type. `body_ids`, one for every cell counted over the blocks, may be NULL: bodies are the connected components by faces. `options`
+/// must have been initialised and have `stiffness` set. `step` may be NULL; with friction it gives the start of the step that ends at
+/// `coords`, and receives the elastic slip for the next step.
 ///
-/// `forces`, (node_count, dim), receives the force on every node, which pushes bodies apart; `volume`, which may be
-/// NULL, the overlap volume (2D: area), summed over the pairs. All are written only on success. The result is that of
-/// a context, bit for bit, and with a step that of a context made at `step->reference` that goes through `fmc_context_begin_step`,
-/// `fmc_context_set_slip`, `fmc_context_evaluate` and `fmc_context_commit_step`; a context finds the boundary facets once for many
-/// evaluations, accepts strides and obstacles, and reports forces per body, pairs and warnings.
+/// `forces`, (node_count, dim), receives the force on every node, which pushes bodies apart; `volume`, which may be NULL, the
+/// overlap volume (2D: area), summed over the pairs. All are written only on success. The result is bit-for-bit identical to a
+/// context. With a step this is a context made at `step->reference`, followed by `fmc_context_begin_step`, `fmc_context_set_slip`,
+/// `fmc_context_evaluate` and `fmc_context_commit_step`. A context finds the boundary facets once for many evaluations, accepts
+/// strides and obstacles, and reports forces per body, pairs and warnings.
 ///
-/// Errors: those of `fmc_context_new_from_cells`, of `fmc_context_evaluate`, and with a step of the calls above; with friction and
-/// without a step `FMC_ERROR_NO_STEP`; the text, with the offending indices, is given by `fmc_last_error`. Threads: any, also at once.
+/// Errors: as `fmc_context_new_from_cells`, `fmc_context_evaluate`, and with a step the calls above; with friction and without a step
+/// `FMC_ERROR_NO_STEP`. `fmc_last_error` returns the text, with the offending indices. Threads: any, also at once.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_contact_force(
     dim: i32,

@@ -7,16 +7,16 @@ use crate::capi::context::session::in_either;
 use crate::capi::context::state::{fmc_context, read};
 use std::ffi::c_void;
 
-/// The matrix P that takes nodes to points, X = P x, in compressed rows: the entries of point p are those from `row_offsets[p]`
-/// to `row_offsets[p + 1]`, `nodes` with their `weights`. Offsets and nodes count from the option `index_base`.
+/// The matrix P that takes nodes to points, X = P x, in compressed rows: point p has the entries from `row_offsets[p]` to
+/// `row_offsets[p + 1]`, `nodes` with their `weights`. Offsets and nodes count from the option `index_base`.
 ///
 /// Cells of second order are divided into straight ones, whose points are fixed linear combinations of the nodes.
-/// `fmc_boundary_facet`, `fmc_contact_side` and `fmc_gap_constraint` tell of points: their numbers, less the option
-/// `index_base`, are rows. What is known at nodes is brought to points by P, forces and other derivatives from points to nodes by
-/// its transpose. A point that is a node, or stands for one in the middle of an edge, face or cell, has the node's
-/// number; middles of faces without a node come after the nodes. The weights of a row add up to 1, and some are
-/// negative. Without cells of second order, and nodes that hang, P is the identity. With a basis (`fmc_context_set_basis`) its
-/// columns are unknowns, and rows add up to what those of the basis do.
+/// `fmc_boundary_facet`, `fmc_contact_side` and `fmc_gap_constraint` refer to points: their numbers, minus the option
+/// `index_base`, are rows. P takes nodal values to points; its transpose takes forces and other derivatives from points to nodes.
+/// A point that is a node, or represents a node in the middle of an edge, face or cell, has the node's number. Middles of faces
+/// without a node come after the nodes. The weights of a row add up to 1, and some are negative. Without cells of second order
+/// and hanging nodes P is the identity. With a basis (`fmc_context_set_basis`) its columns are unknowns, and its rows have the
+/// row sums of the basis.
 ///
 /// There are at least as many points as nodes; numbers change with a basis only. `offset_count` becomes the number of offsets, one
 /// more than there are points, and `count` the number of entries. `row_offsets` has room for `offset_capacity`, `nodes` and

@@ -12,8 +12,8 @@ use crate::capi::context::state::{fmc_context, write};
 /// quadrilateral face all four, of one of second order all its parts. They may belong to several bodies. `surface` becomes the number of
 /// the part: 1, 2, ... It does not depend on the reference coordinates.
 ///
-/// Errors: `FMC_ERROR_NULL_POINTER`; `FMC_ERROR_BAD_VALUE` for a facet that does not exist, naming its entry; `FMC_ERROR_UNSUPPORTED` without
-/// facets and for a mesh in parts, `FMC_ERROR_BUSY`. Nothing changes then. Threads: one call at a time on a context.
+/// Errors: `FMC_ERROR_NULL_POINTER`; `FMC_ERROR_BAD_VALUE` for a facet that does not exist, naming its entry; `FMC_ERROR_UNSUPPORTED`
+/// without facets and for a mesh in parts, `FMC_ERROR_BUSY`. Nothing changes then. Threads: one call at a time on a context.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_add_surface(
     context: *mut fmc_context,

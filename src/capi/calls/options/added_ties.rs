@@ -9,21 +9,21 @@ use crate::capi::context::state::{fmc_context, read, write};
 use crate::capi::structs::tie::fmc_tie;
 use crate::capi::structs::view::fmc_coords;
 
-/// Ties two parts of the surface (`fmc_context_add_surface`), each of one body, of two bodies or of one: x_A - x_B = `period` + jump for points that
-/// face one another without deformation once `period`, `dim` numbers, has brought part B to part A. `tie` becomes the number of the tie, 1, 2, ...;
-/// the jump is 0 at first (`fmc_context_set_tie_jump`). A body may have several.
+/// Ties two parts of the surface (`fmc_context_add_surface`), each on one body, on two bodies or on one. It holds x_A - x_B = `period` +
+/// jump for points that face one another without deformation, after a shift of part B by `period`, `dim` numbers. `tie` becomes the number
+/// of the tie, 1, 2, ...; the jump is 0 at first (`fmc_context_set_tie_jump`). A body may have several.
 ///
-/// What is tied, and within which `reach` (0: the default), is as of `FMC_INTERFACE_TIED`, with the stiffness of the pair's law and with
-/// multipliers. It changes no contact. With a period the named facets alone can hide one another. Heat does not pass it.
+/// The rules of `FMC_INTERFACE_TIED` give the tied faces and the default of `reach` (0), with the stiffness of the pair's law and with
+/// multipliers. It changes no contact. With a period only the named facets can hide one another. No heat flows through it.
 ///
 /// With the period of a periodic cell and the jump H period the cell has the macroscopic displacement gradient H; its stress is the sum of
-/// F period^T / V over the ties with their forces F (`fmc_context_tie_force`). In a bolt that is cut across, the jump along its axis is the
-/// length that pretension takes out of it.
+/// F period^T / V over the ties, with their forces F (`fmc_context_tie_force`). In a bolt with a cut across it, the jump along the axis is
+/// the pretension length.
 ///
-/// Errors: `FMC_ERROR_NULL_POINTER`; `FMC_ERROR_BAD_VALUE` for a surface that does not exist; `FMC_ERROR_UNTIED`; `FMC_ERROR_NOT_POSITIVE` for a
-/// reach; `FMC_ERROR_NON_FINITE_STIFFNESS` for a period that is not finite; `FMC_ERROR_UNSUPPORTED` for a surface of several bodies, for two with a
-/// facet in common, for two bodies in contact whose faces lie on one another, by the law "volume", without cells, in parts, and for a period
-/// along the radius; `FMC_ERROR_BUSY`. Nothing changes then. Threads: one call at a time on a context.
+/// Errors: `FMC_ERROR_NULL_POINTER`; `FMC_ERROR_BAD_VALUE` for a surface that does not exist; `FMC_ERROR_UNTIED`; `FMC_ERROR_NOT_POSITIVE`
+/// for a reach; `FMC_ERROR_NON_FINITE_STIFFNESS` for a period that is not finite; `FMC_ERROR_BUSY`. `FMC_ERROR_UNSUPPORTED` for a surface
+/// of several bodies, for two surfaces with a common facet, for two bodies in contact whose faces coincide, and for a period along the
+/// radius. The same by the law "volume", without cells, and in parts. Nothing changes then. Threads: one call at a time on a context.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_add_tie(
     context: *mut fmc_context,
@@ -46,7 +46,7 @@ pub unsafe extern "C" fn fmc_context_add_tie(
     })
 }
 
-/// Removes a tie of `fmc_context_add_tie`. Numbers of others stay.
+/// Removes a tie of `fmc_context_add_tie`. Other ties keep their numbers.
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BAD_VALUE` if there is no such tie, `FMC_ERROR_BUSY`. Threads: one call at a time on a
 /// context.
@@ -56,11 +56,12 @@ pub unsafe extern "C" fn fmc_context_remove_tie(context: *mut fmc_context, tie: 
     entry(|| unsafe { write(context, |state| in_either!(&mut state.session, one => one.remove_tie(number(tie)))) })
 }
 
-/// Has the first part of a tie of `fmc_context_add_tie` lie so far from the second, beside its period: `jump` are `dim` numbers. No face is looked
-/// for anew, and multipliers stay.
+/// Sets the jump of a tie of `fmc_context_add_tie`, the distance of the first part from the second in addition to the period: `dim`
+/// numbers. It does not search for faces, and multipliers stay.
 ///
-/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BAD_VALUE` if there is no such tie, `FMC_ERROR_NON_FINITE_STIFFNESS` for a jump that is not finite,
-/// `FMC_ERROR_UNSUPPORTED` for one along the radius, `FMC_ERROR_BUSY`; the old jump then stays. Threads: one call at a time on a context.
+/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BAD_VALUE` if there is no such tie, `FMC_ERROR_NON_FINITE_STIFFNESS` for a jump that is not
+/// finite, `FMC_ERROR_UNSUPPORTED` for one along the radius, `FMC_ERROR_BUSY`; the old jump is then kept. Threads: one call at a time on a
+/// context.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_set_tie_jump(context: *mut fmc_context, tie: i32, jump: *const f64) -> fmc_status {
     // SAFETY: the host passes a context and `dim` numbers.
@@ -69,10 +70,10 @@ pub unsafe extern "C" fn fmc_context_set_tie_jump(context: *mut fmc_context, tie
     })
 }
 
-/// What a tie of `fmc_context_add_tie` holds.
+/// Area, gap and reach of a tie of `fmc_context_add_tie`, as `fmc_context_tie`.
 ///
-/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BAD_VALUE` if there is no such tie, `FMC_ERROR_UNTIED` as `fmc_context_tie`, `FMC_ERROR_BUSY`. Threads:
-/// several at once on one context, as long as no call changes it.
+/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BAD_VALUE` if there is no such tie, `FMC_ERROR_UNTIED` as `fmc_context_tie`,
+/// `FMC_ERROR_BUSY`. Threads: several at once on one context, as long as no call changes it.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_added_tie(
     context: *const fmc_context,
@@ -89,12 +90,12 @@ pub unsafe extern "C" fn fmc_context_added_tie(
     })
 }
 
-/// Force of a tie of `fmc_context_add_tie` on its first part at `coords`: the derivative of the energy by the jump. That on the second part is
-/// its negative. `count` becomes `dim`; `force` has room for `capacity` numbers.
+/// Force of a tie of `fmc_context_add_tie` on its first part at `coords`: the derivative of the energy by the jump. The force on the second
+/// part is its negative. `count` becomes `dim`; `force` has room for `capacity` numbers.
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BAD_VALUE` if there is no such tie, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_LENGTH`,
-/// `FMC_ERROR_NON_FINITE_COORDINATE`, `FMC_ERROR_NO_STIFFNESS`, `FMC_ERROR_UNTIED` as `fmc_context_tie`, `FMC_ERROR_BUSY`. Threads: one call at a
-/// time on a context.
+/// `FMC_ERROR_NON_FINITE_COORDINATE`, `FMC_ERROR_NO_STIFFNESS`, `FMC_ERROR_UNTIED` as `fmc_context_tie`, `FMC_ERROR_BUSY`. Threads: one
+/// call at a time on a context.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_tie_force(
     context: *mut fmc_context,

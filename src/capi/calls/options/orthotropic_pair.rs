@@ -89,14 +89,14 @@ pub unsafe extern "C" fn fmc_orthotropic_friction_init(friction: *mut fmc_orthot
     })
 }
 
-/// Sets the options of a pair as `fmc_context_set_pair_options` does, with another coefficient of friction across a direction. In 3D, of two
-/// bodies or of a body and an obstacle. `fmc_context_set_pair_options` takes it back.
+/// Sets the options of a pair as `fmc_context_set_pair_options` does, with another coefficient of friction across a direction. In 3D, of
+/// two bodies or of a body and an obstacle. `fmc_context_set_pair_options` takes it back.
 ///
 /// Errors: as `fmc_context_set_pair_options`; `FMC_ERROR_NOT_POSITIVE` for a coefficient that is negative or not finite, for an entry of
 /// the direction that is not finite, which the text names, and for a direction of length 0. `FMC_ERROR_BAD_VALUE` for a `direction_of`
-/// other than 0 and 1. `FMC_ERROR_UNSUPPORTED` in 2D, for a body with itself, for a direction of a body without cells, in a mesh in parts,
-/// with an infinite coefficient, a cohesion or a shear limit, and for a `static_coefficient` without a `friction_coefficient`. The earlier
-/// options are then kept. Threads: one call at a time on a context.
+/// other than 0 and 1. `FMC_ERROR_UNSUPPORTED` in 2D, for a body with itself, for a direction of a body without cells, and in a mesh in
+/// parts. The same with an infinite coefficient, a cohesion, a shear limit, or a `static_coefficient` without a `friction_coefficient`.
+/// The earlier options are then kept. Threads: one call at a time on a context.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_set_orthotropic_pair(
     context: *mut fmc_context,
@@ -117,8 +117,8 @@ pub unsafe extern "C" fn fmc_context_set_orthotropic_pair(
     }
 }
 
-/// The coefficient of friction of a pair across a direction, as `fmc_context_set_orthotropic_pair` has set it, with `direction_of` in the order
-/// of this call. Of a pair whose friction is the same in all directions the direction is 0.
+/// The coefficient of friction of a pair across a direction, as `fmc_context_set_orthotropic_pair` has set it, with `direction_of` in the
+/// order of this call. Of a pair whose friction is the same in all directions the direction is 0.
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BODY_OUT_OF_RANGE`, `FMC_ERROR_OBSTACLE_OUT_OF_RANGE`,
 /// `FMC_ERROR_OBSTACLE_REMOVED`, `FMC_ERROR_BAD_VALUE` for an unknown kind, `FMC_ERROR_UNSUPPORTED` for two

@@ -37,9 +37,9 @@ pub unsafe extern "C" fn fmc_own_law_init(law: *mut fmc_own_law) -> fmc_status {
 /// compares the tangents with differences of the tractions, to 1e-6 of the largest entry. Corners of a law, where damage begins, are
 /// recognised.
 ///
-/// `scale` is a jump over which the tractions change, such as the opening at which damage begins, a length; differences have steps of 1e-6 of it.
-/// `jump` has `jump_count` jumps of `dim` numbers at which to check; NULL with 0: 60 that the library spreads over -scale/4 ... scale along
-/// the normal and -scale ... scale across it. The history is 0, and then the result of other jumps. `time_step` 0: not set.
+/// `scale` is a jump over which the tractions change, such as the opening at which damage begins, a length; differences have steps of 1e-6
+/// of it. `jump` has `jump_count` jumps of `dim` numbers at which to check; NULL with 0: 60 that the library spreads over -scale/4 ...
+/// scale along the normal and -scale ... scale across it. The history is 0, and then the result of other jumps. `time_step` 0: not set.
 ///
 /// `tell` may be NULL; else it receives a sentence for each check, with level `FMC_LOG_WARNING` for a fault, else 0.
 ///
@@ -89,8 +89,8 @@ pub(super) unsafe fn tell_report(
     }
 }
 
-/// Sets fields that laws of the host are asked with at their points, such as a temperature: `field_count` numbers for each of `row_count` rows of
-/// the coordinates, all of a row together, (row_count, field_count). They stay until others are set; `field_count` 0: none.
+/// Sets fields that laws of the host are asked with at their points, such as a temperature: `field_count` numbers for each of `row_count`
+/// rows of the coordinates, all of a row together, (row_count, field_count). They stay until others are set; `field_count` 0: none.
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_LENGTH` for another number of rows than coordinates have, `FMC_ERROR_NOT_POSITIVE` for a
 /// number that is not finite, `FMC_ERROR_BUSY`; the old fields are then kept. Threads: one call at a time on a context.
@@ -112,8 +112,8 @@ pub unsafe extern "C" fn fmc_context_set_law_fields(
     })
 }
 
-/// Sets the options of a pair as `fmc_context_set_pair_options` does, whose interface is `FMC_INTERFACE_LAW`, with the law. The history of its
-/// points begins with zeros. `fmc_context_set_pair_options` with the same interface keeps law and history.
+/// Sets the options of a pair as `fmc_context_set_pair_options` does, whose interface is `FMC_INTERFACE_LAW`, with the law. The history of
+/// its points begins with zeros. `fmc_context_set_pair_options` with the same interface keeps law and history.
 ///
 /// The tangent is symmetric only if the tangent of the law is. Unless the law has a potential, take the full tangent and an
 /// unsymmetric solver.

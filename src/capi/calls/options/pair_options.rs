@@ -143,10 +143,10 @@ pub unsafe extern "C" fn fmc_pair_options_init(options: *mut fmc_pair_options) -
 /// Errors: `FMC_ERROR_NULL_POINTER`; `FMC_ERROR_BODY_OUT_OF_RANGE`, `FMC_ERROR_OBSTACLE_OUT_OF_RANGE` and
 /// `FMC_ERROR_OBSTACLE_REMOVED`, naming the index; `FMC_ERROR_BAD_VALUE` for an unknown kind or value, `FMC_ERROR_OPTIONS_CONFLICT` for an
 /// option that would have no effect; `FMC_ERROR_RESERVED_FIELD`; `FMC_ERROR_STRUCT_SIZE`; `FMC_ERROR_NOT_POSITIVE`. `FMC_ERROR_UNSUPPORTED`
-/// for two obstacles, for a law that the estimator of the context does not support, for a gap offset between bodies that is positive or has
-/// another law than "depth", and for a pair with wear coefficients (`fmc_context_set_pair_wear`) that cannot wear with these options.
-/// `FMC_ERROR_UNTIED` for tied bodies that face one another nowhere within reach, `FMC_ERROR_BUSY`. The earlier options are then kept.
-/// `fmc_context_set_options` refuses an estimator that does not support the law of a pair. Threads: one call at a time on a context.
+/// for two obstacles, for a law that the estimator of the context does not support, and for a gap offset between bodies that is positive or
+/// has another law than "depth". The same for a pair with wear coefficients (`fmc_context_set_pair_wear`) that cannot wear with these
+/// options. `FMC_ERROR_UNTIED` for tied bodies that face one another nowhere within reach, `FMC_ERROR_BUSY`. The earlier options are then
+/// kept. `fmc_context_set_options` refuses an estimator that does not support the law of a pair. Threads: one call at a time on a context.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_set_pair_options(
     context: *mut fmc_context,

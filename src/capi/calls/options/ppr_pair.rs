@@ -17,8 +17,8 @@ use crate::contact::{Cohesive, Interface, PairOptions, Ppr, Softening};
 pub struct fmc_ppr {
     /// Set by `fmc_ppr_init`, so that a struct that was not initialised is recognised.
     pub struct_size: usize,
-    /// Shape alpha of softening in opening, above 1: below 2 the traction falls late, about 2 along a line, above it early with a long tail.
-    /// Default 2.
+    /// Shape alpha of softening in opening, above 1: below 2 the traction falls late, about 2 along a line, above it early with a long
+    /// tail. Default 2.
     pub normal_shape: f64,
     /// Shape beta of sliding. Default 2.
     pub shear_shape: f64,

@@ -11,8 +11,8 @@ use crate::capi::context::state::{fmc_context, read, write};
 use crate::{AllToAll, Communicator, Error};
 use std::ffi::c_void;
 
-/// Sends bytes to all ranks, this one too, and receives what they send: rank r sends `counts[r]` bytes, and `received` gets
-/// those of all ranks, one after the other. `user` is the pointer given with the function. MPI_Allgatherv is such a function;
+/// Sends bytes to all ranks, this one too, and receives theirs: rank r sends `counts[r]` bytes, and `received` gets the bytes
+/// of all ranks, one after the other. `user` is the pointer given with the function. MPI_Allgatherv is such a function;
 /// `fmc_mpi.h` has it.
 ///
 /// Return 0; any other value makes the evaluation fail with `FMC_ERROR_COMMUNICATION`. It is called on the thread that evaluates,
@@ -21,12 +21,11 @@ pub type fmc_all_gather = Option<
     unsafe extern "C" fn(user: *mut c_void, send: *const c_void, counts: *const u64, received: *mut c_void) -> i32,
 >;
 
-/// Sends bytes to every rank, this one too, and receives what they have for this one: `send` has `send_counts[r]` bytes for rank r, one
+/// Sends bytes to every rank, this one too, and receives their bytes for this rank: `send` has `send_counts[r]` bytes for rank r, one
 /// rank after the other, and `received` gets `received_counts[r]` of rank r. `user` is the pointer given with the function.
 /// MPI_Alltoallv is such a function; `fmc_mpi.h` has it.
 ///
-/// Return 0; any other value makes the call of the library fail with `FMC_ERROR_COMMUNICATION`. It is called as `fmc_all_gather` is,
-/// and must not do what that must not.
+/// Return 0; any other value makes the call of the library fail with `FMC_ERROR_COMMUNICATION`. The rules of `fmc_all_gather` apply.
 pub type fmc_all_to_all = Option<
     unsafe extern "C" fn(
         user: *mut c_void,
@@ -52,14 +51,14 @@ pub struct fmc_communicator {
     pub all_gather: fmc_all_gather,
     /// Handed to the functions.
     pub user: *mut c_void,
-    /// Moves bytes to single ranks; may be NULL, on all ranks, and what is for one rank then goes to all by `all_gather`. With a mesh
-    /// in parts it takes the faces between ranks to those that may have the other side.
+    /// Moves bytes to single ranks. It may be NULL, on all ranks; `all_gather` then sends these bytes to all ranks. With a mesh in
+    /// parts it sends faces between ranks to the ranks that may have the other side.
     pub all_to_all: fmc_all_to_all,
     /// Zero. Room for functions of later versions.
     pub reserved: [u64; 5],
 }
 
-/// What ranks did since the communicator was set: of this rank, but for `item_count`.
+/// Work of this rank since the communicator was set; `item_count` is the total of all ranks.
 ///
 /// New fields take the place of reserved ones; the size of the struct does not change.
 #[repr(C)]
@@ -69,7 +68,7 @@ pub struct fmc_rank_counts {
     pub struct_size: usize,
     /// Facets, bundles of lines, pieces of cells and pairs of facets that were divided among the ranks.
     pub item_count: u64,
-    /// Those that this rank measured.
+    /// Items that this rank measured.
     pub own_item_count: u64,
     /// Calls of the communicator.
     pub call_count: u64,
@@ -102,17 +101,17 @@ pub unsafe extern "C" fn fmc_communicator_init(communicator: *mut fmc_communicat
     })
 }
 
-/// Shares the work of the context's evaluations with other ranks; NULL: no more. The struct is copied. From then on all ranks
-/// make the same calls on their contexts with the same coordinates, options, obstacles and history, and each gets the whole
-/// result, with the bits of one rank alone, for any number of ranks. The number of threads may differ. What is divided is the
-/// measuring of facets, lines and cells; pairs with a signed distance function are measured on every rank. Where there is too
-/// little to be worth sending, every rank does all.
+/// Shares the work of the context's evaluations with other ranks; NULL ends this. The struct is copied. From then on all
+/// ranks make the same calls on their contexts with the same coordinates, options, obstacles and history. Each gets the
+/// whole result, bit-for-bit identical to one rank, for any number of ranks. The number of threads may differ. Ranks divide
+/// the measuring of facets, lines and cells; every rank measures pairs with a signed distance function. If there is too
+/// little work to share, every rank does all.
 ///
-/// An evaluation that fails on one rank fails on all, with `FMC_ERROR_ON_OTHER_RANK` there; ranks that were given different things
-/// are all told so, by `FMC_ERROR_RANKS_DIFFER`.
+/// An evaluation that fails on one rank fails on all, with `FMC_ERROR_ON_OTHER_RANK` there. If ranks were given different data,
+/// all return `FMC_ERROR_RANKS_DIFFER`.
 ///
-/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_STRUCT_SIZE`, `FMC_ERROR_RESERVED_FIELD`, `FMC_ERROR_BAD_RANK`, `FMC_ERROR_BUSY`. Threads: one call at a time on a
-/// context.
+/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_STRUCT_SIZE`, `FMC_ERROR_RESERVED_FIELD`, `FMC_ERROR_BAD_RANK`, `FMC_ERROR_BUSY`. Threads:
+/// one call at a time on a context.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_set_communicator(
     context: *mut fmc_context,
@@ -130,7 +129,7 @@ pub unsafe extern "C" fn fmc_context_set_communicator(
     })
 }
 
-/// What ranks did since the communicator was set; zeros without one.
+/// Work of this rank since the communicator was set; zeros without a communicator.
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUSY`. Threads: any number at once.
 #[unsafe(no_mangle)]

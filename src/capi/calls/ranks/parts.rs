@@ -8,13 +8,13 @@ use crate::capi::context::state::{fmc_context, write};
 use crate::capi::structs::in_parts::{fmc_carried_slip, no_parts};
 use crate::capi::structs::view::fmc_coords;
 
-/// Sets the coordinates of a mesh in parts: `coords` are those of this rank's own nodes, as many as were given to
+/// Sets the coordinates of a mesh in parts: `coords` are the coordinates of this rank's own nodes, as many as were given to
 /// `fmc_context_new_from_part`. Every rank calls it before it evaluates at these coordinates, after its options and obstacles
-/// were set. Then the nodes, facets and cells of the context are those gathered: those that may be in contact, the same on all
-/// ranks. `fmc_context_gathered_nodes` tells which and where they are.
+/// were set. The context then has the gathered nodes, facets and cells: all that may be in contact, the same on all ranks.
+/// `fmc_context_gathered_nodes` returns their numbers and coordinates.
 ///
 /// `renumbered`, which may be NULL, becomes 1 where other cells were gathered than before, so that their numbers have changed,
-/// else 0. Slip, kept patches and frozen friction are carried over; tangents, patterns and points of the last evaluation are not.
+/// else 0. Slip, kept patches and frozen friction are transferred; tangents, patterns and points of the last evaluation are not.
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_LENGTH`, `FMC_ERROR_STRIDE`, `FMC_ERROR_UNSUPPORTED`; naming own nodes and cells
 /// `FMC_ERROR_NON_FINITE_COORDINATE`, `FMC_ERROR_INVERTED_CELL`, `FMC_ERROR_ZERO_MEASURE`; `FMC_ERROR_RANKS_DIFFER` for a node in two
@@ -45,11 +45,12 @@ pub unsafe extern "C" fn fmc_context_set_coords(
     })
 }
 
-/// Sets the elastic slip that was carried into the step that has begun, of a mesh in parts: that of `count` facets, as
-/// `fmc_context_carried_slip` writes them, zero for all others. All ranks give the same, after `fmc_context_begin_step`.
+/// Sets the elastic slip carried into the current step, for a mesh in parts: `count` facets, as
+/// `fmc_context_carried_slip` writes them; all other facets have zero slip. All ranks pass the same list, after
+/// `fmc_context_begin_step`.
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NO_STEP`, `FMC_ERROR_NON_FINITE_SLIP`, `FMC_ERROR_UNSUPPORTED` for a facet that was not
-/// gathered, `FMC_ERROR_BUSY`; the old slip then stays. Threads: one call at a time on a context.
+/// gathered, `FMC_ERROR_BUSY`; the old slip is then kept. Threads: one call at a time on a context.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_set_carried_slip(
     context: *mut fmc_context,

@@ -33,19 +33,19 @@ pub struct fmc_mesh_part {
     pub index_size: i32,
     /// Zero. Room for switches of later versions.
     pub reserved_flags: i32,
-    /// Number of each in the whole mesh, counted from the option `index_base`, the same on all ranks that have it. Results are those
-    /// of one rank alone whose mesh has its nodes in the order of these numbers; they need not be without gaps.
+    /// Number of each in the whole mesh, counted from the option `index_base`, the same on all ranks that have it. Results are
+    /// identical to one rank whose mesh has its nodes in the order of these numbers, which may have gaps.
     pub node_numbers: *const c_void,
     /// Cells, of own nodes counted from the option `index_base`.
     pub blocks: *const fmc_cell_block,
     /// Number of blocks.
     pub block_count: usize,
-    /// Number of each cell in the whole mesh, over all blocks, counted from the option `index_base`. Results are those of a mesh with its
-    /// cells in the order of these.
+    /// Number of each cell in the whole mesh, over all blocks, counted from the option `index_base`. Results are identical to a mesh with
+    /// its cells in the order of these numbers.
     pub cell_numbers: *const c_void,
     /// Body of each cell, as all ranks name it.
     pub body_ids: *const c_void,
-    /// How far `fmc_context_gap_constraints` may reach; 0 where it is not asked for.
+    /// Largest `reach` of `fmc_context_gap_constraints`; 0 if it is not called.
     pub reach: f64,
     /// Zero. Room for later versions.
     pub reserved: [u64; 4],
@@ -82,14 +82,14 @@ pub unsafe extern "C" fn fmc_mesh_part_init(part: *mut fmc_mesh_part) -> fmc_sta
     })
 }
 
-/// Makes a context of a mesh of which this rank has a part; all ranks call it together. Then every rank has, beside its own cells,
-/// only those that may be in contact: `fmc_context_set_coords` takes the coordinates of the own nodes, and after it the other
-/// functions of the context are used as with a whole mesh, with the nodes that `fmc_context_gathered_nodes` names, by all ranks
-/// together, which share the work. Results have the bits of one rank with the whole mesh, for any number of ranks.
+/// Makes a context of a mesh of which this rank has a part; all ranks call it together. Then every rank has its own cells and all
+/// cells that may be in contact. `fmc_context_set_coords` takes the coordinates of the own nodes. After it all ranks call the
+/// other functions of the context together, as with a whole mesh, with the nodes that `fmc_context_gathered_nodes` names, and
+/// share the work. Results are bit-for-bit identical to one rank with the whole mesh, for any number of ranks.
 ///
-/// Nodes that are named to lie in planes of symmetry are own nodes; `fmc_context_set_coords` is called again after it. A body that may
-/// touch itself, and one that by the law `FMC_LAW_DEPTH` or with friction meets an obstacle with facets, is gathered whole.
-/// Refused are nodes that hang, another reference, a basis, and another communicator. It begins at the coordinates of the part.
+/// Nodes in planes of symmetry are given as own nodes; call `fmc_context_set_coords` again after it. A body that may touch itself, and
+/// one that by the law `FMC_LAW_DEPTH` or with friction meets an obstacle with facets, is gathered whole. Hanging nodes, another
+/// reference, a basis, and another communicator are refused. It begins at the coordinates of the part.
 ///
 /// Errors: as `fmc_context_new_from_cells` and `fmc_context_set_communicator`, naming own nodes and cells; `FMC_ERROR_ON_OTHER_RANK`
 /// where it failed on another rank. Threads: any, also at once.

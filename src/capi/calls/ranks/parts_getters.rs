@@ -10,7 +10,7 @@ use crate::capi::context::state::{fmc_context, read};
 use crate::capi::structs::in_parts::{fmc_carried_slip, no_parts};
 use std::ffi::c_void;
 
-/// How much of a mesh in parts was gathered: the same on all ranks, but for the own cells.
+/// Gathered part of a mesh in parts: the same on all ranks, except for the own cells.
 ///
 /// New fields take the place of reserved ones; the size of the struct does not change.
 #[repr(C)]
@@ -21,18 +21,18 @@ pub struct fmc_gathered_counts {
     /// Nodes and cells that every rank has.
     pub node_count: u64,
     pub cell_count: u64,
-    /// Boundary facets that every rank has, and those of the whole mesh.
+    /// Boundary facets that every rank has, and boundary facets of the whole mesh.
     pub facet_count: u64,
     pub whole_facet_count: u64,
     /// Cells that this rank gave.
     pub own_cell_count: u64,
-    /// How often cells were gathered.
+    /// Number of times that cells were gathered.
     pub gather_count: u64,
     /// Zero.
     pub reserved: [u64; 4],
 }
 
-/// How much of a mesh in parts was gathered.
+/// Sizes of the gathered part of a mesh in parts.
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_UNSUPPORTED` for a context of a whole mesh, `FMC_ERROR_BUSY`. Threads: several at once
 /// on one context, as long as no call changes it.
@@ -63,11 +63,11 @@ pub unsafe extern "C" fn fmc_context_gathered_counts(
     })
 }
 
-/// The nodes gathered, in the order in which the context counts them: `numbers`, their numbers in the whole mesh, ascending;
-/// `own_nodes`, which of this rank's own nodes each is, -1 where it is a node of other ranks alone; both counted from the option
-/// `index_base`; `coords`, where they are, `dim` numbers each in dense rows. Each may be NULL, and has room for `capacity` nodes;
-/// `count` becomes their number. All three NULL with capacity 0: only the number is returned. Evaluations are at these coordinates;
-/// forces, rows and columns are those of these nodes.
+/// The gathered nodes, in the order in which the context counts them. `numbers` are their numbers in the whole mesh, ascending.
+/// `own_nodes` are their places among this rank's own nodes, -1 for a node that only other ranks have. Both count from the
+/// option `index_base`. `coords` are their coordinates, `dim` numbers each in dense rows. Each may be NULL, and has room for
+/// `capacity` nodes; `count` becomes their number. All three NULL with capacity 0: only the number is returned. Evaluations are
+/// at these coordinates; forces, rows and columns refer to these nodes.
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_MISALIGNED_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_UNSUPPORTED`,
 /// `FMC_ERROR_BUSY`. Threads: several at once on one context, as long as no call changes it.
@@ -122,10 +122,10 @@ unsafe fn put_all(places: Places, numbers: impl Iterator<Item = i64>) {
     numbers.enumerate().for_each(|(place, number)| unsafe { places.put(place, number) });
 }
 
-/// The numbers in the whole mesh of the cells gathered, ascending, counted from the option `index_base`. `count` becomes how many they
-/// are; `numbers` has room for `capacity`. NULL with capacity 0: only the number is returned.
+/// The numbers in the whole mesh of the cells gathered, ascending, counted from the option `index_base`. `count` becomes their number;
+/// `numbers` has room for `capacity`. NULL with capacity 0: only the number is returned.
 ///
-/// Errors: as `fmc_context_gathered_nodes`. Threads: as that.
+/// Errors: as `fmc_context_gathered_nodes`. Threads: as there.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_gathered_cells(
     context: *const fmc_context,
@@ -151,10 +151,9 @@ pub unsafe extern "C" fn fmc_context_gathered_cells(
     })
 }
 
-/// The elastic slip that was carried into the step, of all facets of a mesh in parts where it is not zero: the same list on all
-/// ranks, ascending by cell, face and part. `count` becomes its length; `carried` has room for `capacity`. NULL with capacity 0: the
-/// length alone is asked for. With the coordinates and poses at which the step began it is all that a restart needs, on any number of
-/// ranks.
+/// The elastic slip carried into the step, of all facets of a mesh in parts with slip: the same list on all ranks, ascending by cell,
+/// face and part. `count` becomes its length; `carried` has room for `capacity`. NULL with capacity 0: only the length is returned. A
+/// restart, on any number of ranks, needs it and the coordinates and poses at which the step began.
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NO_STEP`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_UNSUPPORTED`, `FMC_ERROR_BUSY`. Threads:
 /// several at once on one context, as long as no call changes it.

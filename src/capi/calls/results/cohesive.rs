@@ -9,12 +9,12 @@ use crate::capi::context::state::{fmc_context, write};
 use crate::capi::structs::cohesive::{fmc_cohesive, fmc_cohesive_point};
 use crate::capi::structs::view::fmc_coords;
 
-/// The cohesive interface of two bodies at `coords`, indices for `fmc_context_body_resultant`. It is set by
-/// `fmc_context_set_pair_options`. Of bodies without one all numbers are zero.
+/// The cohesive interface of two bodies at `coords`, indices for `fmc_context_body_resultant`.
+/// `fmc_context_set_pair_options` makes it. For bodies without an interface all numbers are zero.
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BODY_OUT_OF_RANGE`, `FMC_ERROR_LENGTH`, `FMC_ERROR_NON_FINITE_COORDINATE`;
-/// `FMC_ERROR_UNTIED` where other reference coordinates have left nothing of the interface; `FMC_ERROR_BUSY`. Threads: one call at a time
-/// on a context.
+/// `FMC_ERROR_UNTIED` if other reference coordinates leave no face of the interface; `FMC_ERROR_BUSY`. Threads: one call at a time on a
+/// context.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_cohesive(
     context: *mut fmc_context,

@@ -9,10 +9,10 @@ use crate::capi::structs::contact_point::fmc_contact_point;
 use crate::capi::structs::view::fmc_coords;
 
 /// The contact points at `coords`, where the laws "fiber" and "depth" press, in the order of the pairs; none with the law "volume",
-/// which has one pressure for a whole pair, unless friction acts. With friction the points have its traction and their
-/// slip, with the current pressure even where friction is frozen.
+/// which has one pressure for a whole pair, unless friction acts. With friction the points have its traction and their slip, with
+/// the current pressure even where friction is frozen.
 ///
-/// `count` becomes their number; `points` has room for `capacity`. NULL with capacity 0: the number alone is asked for, and the next
+/// `count` becomes their number; `points` has room for `capacity`. NULL with capacity 0: only the number is returned, and the next
 /// call at the same coordinates does not search again.
 ///
 /// Errors: as `fmc_context_evaluate`, and `FMC_ERROR_BUFFER_TOO_SMALL`; nothing is written then. Threads: one call at a time on a

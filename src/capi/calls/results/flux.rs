@@ -24,19 +24,19 @@ pub unsafe extern "C" fn fmc_conductance_init(conductance: *mut fmc_conductance)
     })
 }
 
-/// What flows through the contact at `coords`, of heat or of charge: the integral of N h (T - T_other) dA out of every node, T being a field
-/// and T_other that on the other side, which faces it. It is positive where heat leaves the node, and its sum over all nodes and obstacles is
-/// zero. Pressure, of which h depends, is that of the law. Bodies that are tied, glued or do not separate conduct where they are held. With
-/// axisymmetry dA is that of rings.
+/// Flux of heat or charge through the contact at `coords`: the integral of N h (T - T_other) dA out of every node. T is a field, and
+/// T_other the field at the facing point of the other side. The flux is positive if heat leaves the node, and its sum over all nodes and
+/// obstacles is zero. The conductance h depends on the pressure of the law. Bodies that are tied, glued or do not separate conduct where
+/// they are held. With axisymmetry dA is the area of rings.
 ///
-/// `fields` has `field_count` fields, one after the other, with a value for every row of `coords`, and `flux` room for as many; `of_obstacles`
-/// has as many fields, with a value for every obstacle, removed ones included, and `obstacle_flux` room for them. NULL for `of_obstacles`:
-/// nothing flows into obstacles; `obstacle_flux` may be NULL, too. With `field_count` 0 the matrix alone is found, which stays for
+/// `fields` has `field_count` fields, one after the other, with a value for every row of `coords`; `flux` has room for as many.
+/// `of_obstacles` has as many fields, with a value for every obstacle, removed ones included; `obstacle_flux` has room for them. NULL for
+/// `of_obstacles`: there is no flux into obstacles; `obstacle_flux` may be NULL, too. With `field_count` 0 only the matrix is computed, for
 /// `fmc_context_flux_matrix`.
 ///
-/// Errors: as `fmc_context_evaluate`, but for friction; `FMC_ERROR_STRUCT_SIZE`, `FMC_ERROR_RESERVED_FIELD`; `FMC_ERROR_NOT_POSITIVE` for an
-/// entry of a field or table that is not finite, a negative entry of a table, or places that do not ascend; `FMC_ERROR_UNSUPPORTED` for a mesh
-/// in parts; `FMC_ERROR_UNTIED` as `fmc_context_tie`. Nothing is written then. Threads: one call at a time on a context.
+/// Errors: as `fmc_context_evaluate`, except for friction; `FMC_ERROR_STRUCT_SIZE`, `FMC_ERROR_RESERVED_FIELD`; `FMC_ERROR_UNSUPPORTED` for
+/// a mesh in parts; `FMC_ERROR_UNTIED` as `fmc_context_tie`. `FMC_ERROR_NOT_POSITIVE` for an entry of a field or table that is not finite,
+/// a negative entry of a table, or places that do not ascend. Nothing is written then. Threads: one call at a time on a context.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_flux(
     context: *mut fmc_context,
@@ -64,8 +64,8 @@ pub unsafe extern "C" fn fmc_context_flux(
     })
 }
 
-/// The derivative of the flux by the field at the last `fmc_context_flux`, the same for every field, in compressed rows: symmetric, positive
-/// semidefinite, and independent of the field. Rows and columns are nodes, then obstacles. The entries of row r are those from
+/// The derivative of the flux by the field at the last `fmc_context_flux`, the same for every field, in compressed rows: symmetric,
+/// positive semidefinite, and independent of the field. Rows and columns are nodes, then obstacles. Row r has the entries from
 /// `row_offsets[r]` to `row_offsets[r + 1]`, in ascending order of their columns. Offsets and columns count from the option `index_base`.
 ///
 /// `offset_count` becomes the number of offsets, one more than there are rows, and `count` the number of entries. `row_offsets` has
@@ -105,15 +105,15 @@ pub unsafe extern "C" fn fmc_context_flux_matrix(
     })
 }
 
-/// The energy that friction has dissipated since the step began, as heat at nodes and obstacles: its sum is that of the pairs. Divided by the
-/// time of the step it is a power. With cells of second order some nodes may have a negative part.
+/// The energy that friction has dissipated since the step began, as heat at nodes and obstacles: its sum is the dissipation of all pairs.
+/// Heat / duration of the step is a power. With cells of second order some nodes may have a negative part.
 ///
-/// `effusivities`: one for every body, then one for every obstacle, removed ones included, not negative. Each side of a pair takes a part of the
-/// heat by its effusivity, the square root of conductivity times density times heat capacity; with 0 it takes nothing. NULL: halves.
-/// `heat` has room for a number for every row of `coords`, `obstacle_heat` for every obstacle; it may be NULL.
+/// `effusivities`: one for every body, then one for every obstacle, removed ones included, not negative. Each side of a pair takes a part
+/// of the heat in proportion to its effusivity, sqrt(conductivity * density * heat capacity); with 0 it takes none. NULL: halves. `heat`
+/// has room for a number for every row of `coords`, `obstacle_heat` for every obstacle; it may be NULL.
 ///
-/// Errors: as `fmc_context_evaluate`; `FMC_ERROR_NOT_POSITIVE` for an effusivity that is negative or not finite; `FMC_ERROR_UNSUPPORTED` for a
-/// mesh in parts. Nothing is written then. Threads: one call at a time on a context.
+/// Errors: as `fmc_context_evaluate`; `FMC_ERROR_NOT_POSITIVE` for an effusivity that is negative or not finite; `FMC_ERROR_UNSUPPORTED`
+/// for a mesh in parts. Nothing is written then. Threads: one call at a time on a context.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_friction_heat(
     context: *mut fmc_context,

@@ -9,14 +9,14 @@ use crate::capi::structs::gap_constraint::{KeptGaps, fmc_gap_constraint};
 use crate::capi::structs::view::fmc_coords;
 use std::ffi::c_void;
 
-/// The weighted gaps at `coords` of all nodes that have a facet within `reach` of a partner, apart or overlapping:
-/// what an augmented Lagrangian, an interior point method or a preconditioner asks for. They depend on no law and no estimator.
+/// The weighted gaps at `coords` of all nodes that have a facet within `reach` of a partner, apart or overlapping, for an
+/// augmented Lagrangian, an interior point method or a preconditioner. They do not depend on law and estimator.
 ///
 /// Both bodies of a pair have rows, ordered by pair, side and node; a host that wants one side only takes the rows of one
 /// body. A body has no gaps over itself. With cells of second order rows are points, columns nodes.
 ///
-/// `count` becomes the number of rows; `rows` has room for `capacity`. NULL with capacity 0: the number alone is asked for, and the
-/// next call at the same coordinates does not search again. What was found stays, for `fmc_context_gap_gradient`.
+/// `count` becomes the number of rows; `rows` has room for `capacity`. NULL with capacity 0: only the number is returned, and the
+/// next call at the same coordinates does not search again. The gaps are kept for `fmc_context_gap_gradient`.
 ///
 /// Errors: as `fmc_context_evaluate`, `FMC_ERROR_NOT_POSITIVE` for `reach`, and `FMC_ERROR_BUFFER_TOO_SMALL`; nothing is written then.
 /// Threads: one call at a time on a context.
@@ -41,10 +41,10 @@ pub unsafe extern "C" fn fmc_context_gap_constraints(
     })
 }
 
-/// The derivative of the gaps that were found, d gap / d x, in compressed rows: row r has the entries from `row_offsets[r]` to
+/// The derivative of the gaps of the last call, d gap / d x, in compressed rows. Row r has the entries from `row_offsets[r]` to
 /// `row_offsets[r + 1]`, in ascending order of their columns, which are degrees of freedom as in `fmc_context_tangent`. Offsets
-/// and columns count from the option `index_base`. The set of columns is what feels the contact. Pressures p on the rows act
-/// with the nodal forces sum over r of p_r times row r.
+/// and columns count from the option `index_base`. The columns are the degrees of freedom that feel the contact. Pressures p on
+/// the rows act with the nodal forces sum over r of p_r times row r.
 ///
 /// `offset_count` becomes the number of offsets, one more than there are rows, and `count` the number of entries. `row_offsets` has
 /// room for `offset_capacity`, `cols` and `values` for `capacity`. An array that is NULL with capacity 0 is not written: only its

@@ -10,7 +10,7 @@ use crate::capi::structs::directions::fmc_directions;
 use crate::capi::structs::gradients::{fmc_gradients, fmc_pair_gradient};
 use crate::capi::structs::view::fmc_coords;
 
-/// Asks for nothing: all pointers NULL.
+/// Requests no output: all pointers are NULL.
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`. Threads: any, on different structs.
 #[unsafe(no_mangle)]
@@ -23,23 +23,23 @@ pub unsafe extern "C" fn fmc_gradients_init(gradients: *mut fmc_gradients) -> fm
     })
 }
 
-/// The derivatives of `energy` * w + `adjoint` . F at `coords`, by what `gradients` names: w is the contact energy and F are the nodal
-/// forces, friction included, which is no part of w. `adjoint` has the shape of `coords`; NULL stands for zeros. A host that
-/// minimises J(x) with contact in equilibrium passes the solution of the adjoint system, with `energy` 0.
+/// The derivatives of `energy` * w + `adjoint` . F at `coords`, by the variables that `gradients` names: w is the contact energy, and
+/// F are the nodal forces. F includes friction, w does not. `adjoint` has the shape of `coords`; NULL: zeros. A host that minimises
+/// J(x) with contact in equilibrium passes the solution of the adjoint system, with `energy` 0.
 ///
-/// All are exact, and partial: each with all else held, the slip at the start of the step too, by which there is a derivative of its own.
-/// Where two faces are equally near to a node, the depth has a kink, and the derivative is that of one side.
+/// All are exact partial derivatives: all other variables are held, including the slip at the start of the step, which has a separate
+/// derivative. Where two faces are equally near to a node, the depth has a kink, and the derivative is one-sided.
 ///
-/// `count` becomes the number of pairs that touch, 0 unless something of pairs is asked for; `pairs` has room for `capacity`.
+/// `count` becomes the number of pairs that touch, 0 without a request for pairs; `pairs` has room for `capacity`.
 ///
 /// Errors: as `fmc_context_tangent`; `FMC_ERROR_LENGTH`, `FMC_ERROR_STRUCT_SIZE`, `FMC_ERROR_RESERVED_FIELD`, `FMC_ERROR_UNKNOWN_FLAG` and
 /// `FMC_ERROR_BUFFER_TOO_SMALL`; for `slip_adjoint` as `fmc_context_set_slip`. `FMC_ERROR_UNSUPPORTED` for a derivative that is not known,
 /// never a zero. By coordinates and poses: with the law "fiber" unless patches are kept; of sampled energies unless weights are
-/// "consistent" and `momentum_correction` is 0; of forces that are sampled, between curved faces in 3D, and frictional unless friction is
-/// frozen. By the reference: with axisymmetry, friction, curved faces, hanging nodes, ranks, and of forces with a gap offset between
-/// bodies. By gap offset: of frictional forces; by stiffness: of these with cohesion or a shear limit, or frozen. By slip: with static
-/// friction, or frozen; of the slip at the end of the step: by coordinates, poses and gap offsets. By gap offsets: of pairs other than
-/// bodies with half-spaces. By the coefficient of friction: where it is 0, and with static friction, cohesion or a shear limit. By
+/// "consistent" and `momentum_correction` is 0. Also of forces: sampled ones, between curved faces in 3D, and frictional ones unless
+/// friction is frozen. By the reference: with axisymmetry, friction, curved faces, hanging nodes, ranks, and of forces with a gap offset
+/// between bodies. By gap offset: of frictional forces; by stiffness: of these with cohesion or a shear limit, or frozen. By slip: with
+/// static friction, or frozen; of the slip at the end of the step: by coordinates, poses and gap offsets. By gap offsets: of pairs other
+/// than bodies with half-spaces. By the coefficient of friction: where it is 0, and with static friction, cohesion or a shear limit. By
 /// rotations: with the law "fiber", and with axisymmetry. Nothing is written then. Threads: one call at a time on a context.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_vjp(
@@ -92,17 +92,17 @@ pub unsafe extern "C" fn fmc_directions_init(directions: *mut fmc_directions) ->
     })
 }
 
-/// Rates of energy and nodal forces at `coords` along rates of what they depend on: the transpose of `fmc_context_vjp`. With the same
-/// parameters moved by d, energy * `energy` + adjoint . `forces` here is d times the derivatives there. Friction is no part of the energy;
-/// the slip at the start of the step moves only as `directions` says.
+/// Rates of energy and nodal forces at `coords` along rates of their variables: the transpose of `fmc_context_vjp`. With the same
+/// parameters moved by d, energy * `energy` + adjoint . `forces` here is d times the derivatives there. The energy does not include
+/// friction; the slip at the start of the step changes only with the rate in `directions`.
 ///
 /// `energy` becomes the rate of the contact energy; `forces` has room for n * dim numbers, the rates of the force on every node in dense
 /// rows. Either may be NULL.
 ///
-/// Errors: as `fmc_context_vjp` with an adjoint, for what moves; `FMC_ERROR_LENGTH`, `FMC_ERROR_NON_FINITE_STIFFNESS` with the place of a rate,
-/// `FMC_ERROR_STRUCT_SIZE`, `FMC_ERROR_RESERVED_FIELD`; `FMC_ERROR_INDEX_OUT_OF_RANGE` for a pair that there is not; for `slip` as
-/// `fmc_context_set_slip`. There are no rates along coordinates without deformation. Nothing is written then. Threads: one call at a time on
-/// a context.
+/// Errors: as `fmc_context_vjp` with an adjoint, for all variables with a rate; `FMC_ERROR_LENGTH`, `FMC_ERROR_NON_FINITE_STIFFNESS` with
+/// the place of a rate, `FMC_ERROR_STRUCT_SIZE`, `FMC_ERROR_RESERVED_FIELD`; `FMC_ERROR_INDEX_OUT_OF_RANGE` for a pair that does not exist;
+/// for `slip` as `fmc_context_set_slip`. There are no rates along coordinates without deformation. Nothing is written then. Threads: one
+/// call at a time on a context.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_jvp(
     context: *mut fmc_context,

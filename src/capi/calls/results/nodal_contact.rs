@@ -8,7 +8,7 @@ use crate::capi::context::state::{fmc_context, write};
 use crate::capi::structs::nodal_lists::fmc_nodal_contact;
 use crate::capi::structs::view::fmc_coords;
 
-/// Asks for nothing: all pointers NULL.
+/// Requests no output: all pointers are NULL.
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`. Threads: any, on different structs.
 #[unsafe(no_mangle)]
@@ -21,16 +21,16 @@ pub unsafe extern "C" fn fmc_nodal_contact_init(nodal: *mut fmc_nodal_contact) -
     })
 }
 
-/// The contact at every node of the mesh at `coords`, in the order of the coordinates; zero where nothing touches. `nodal` says
-/// what is asked for, and where it goes. The nodal force without its friction is -pressure * area * normal, to rounding.
+/// The contact at every node of the mesh at `coords`, in the order of the coordinates; zero without contact. `nodal` holds the
+/// output arrays. The nodal force without its friction is -pressure * area * normal, to rounding.
 ///
-/// With cells of second order a node has what is at the point of their division that stands for it, with the straight shape
-/// function of that point: shape functions of second order are negative in places, and have no mean at a corner. Forces
-/// at points, -pressure * area * normal, are then not those of the nodes, nor do they add up to the resultant where
-/// faces have no node in their middle, whose points are not told.
+/// With cells of second order a node has the values of its point of the division, with the straight shape function of this
+/// point. Shape functions of second order are negative in places, and have no mean at a corner. Forces at points, -pressure
+/// * area * normal, then differ from the forces at nodes. They do not add up to the resultant where faces have no node in
+/// their middle, because points without a node are not written.
 ///
-/// It measures the contact anew, with the current pressure even where friction is frozen, and changes no other result of
-/// the context. Errors: as `fmc_context_evaluate`, `FMC_ERROR_STRUCT_SIZE` and `FMC_ERROR_RESERVED_FIELD`; nothing is written
+/// It measures the contact again, with the current pressure even where friction is frozen, and changes no other result of the
+/// context. Errors: as `fmc_context_evaluate`, `FMC_ERROR_STRUCT_SIZE` and `FMC_ERROR_RESERVED_FIELD`; nothing is written
 /// then. Threads: one call at a time on a context.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_nodal_contact(

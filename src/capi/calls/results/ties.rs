@@ -10,12 +10,11 @@ use crate::capi::structs::tie::{fmc_tie, fmc_tie_node};
 use crate::capi::structs::view::fmc_coords;
 use std::ffi::c_void;
 
-/// The tie of two bodies, indices for `fmc_context_body_resultant`, as it was found where nothing is deformed; of bodies that slide and do not
-/// separate as it was found last. They are made by `fmc_context_set_pair_options`. Of other bodies all numbers are zero.
+/// The tie of two bodies, indices for `fmc_context_body_resultant`, as found without deformation; for bodies that slide and do not
+/// separate, as found last. `fmc_context_set_pair_options` makes them. For other bodies all numbers are zero.
 ///
-/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BODY_OUT_OF_RANGE`; `FMC_ERROR_UNTIED` where other reference coordinates, which were set
-/// after the bodies were tied, have left nothing of the tie; `FMC_ERROR_BUSY`. Threads: several at once on one context, as long as no
-/// call changes it.
+/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BODY_OUT_OF_RANGE`; `FMC_ERROR_UNTIED` if reference coordinates that were set later
+/// leave no tied face; `FMC_ERROR_BUSY`. Threads: several at once on one context, as long as no call changes it.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_tie(
     context: *const fmc_context,
@@ -33,8 +32,8 @@ pub unsafe extern "C" fn fmc_context_tie(
     })
 }
 
-/// Traction and jump of all ties at `coords`, by pair and node of the side that holds, mostly that with the larger facets; of bodies that do not
-/// separate those along the normal.
+/// Traction and jump of all ties at `coords`, by pair and node of the holding side, mostly the side with the larger facets; for bodies that
+/// do not separate, along the normal only.
 ///
 /// `count` becomes their number; `rows` has room for `capacity`. NULL with capacity 0: only the number is returned.
 ///
@@ -61,18 +60,19 @@ pub unsafe extern "C" fn fmc_context_tie_nodes(
     })
 }
 
-/// All ties as equations, for hosts that eliminate unknowns or have multipliers of their own: sum of `values` times coordinates = 0 for
-/// every row, in compressed rows, a row for each axis of each of `fmc_context_tie_nodes`. The entries of row r are those from
-/// `row_offsets[r]` to `row_offsets[r + 1]`, in ascending order of their columns, which are degrees of freedom as in
-/// `fmc_context_tangent`. Offsets and columns count from the option `index_base`.
+/// All ties as equations, for hosts that eliminate unknowns or use their own multipliers: sum of `values` times coordinates = 0 for
+/// every row, in compressed rows, a row for each axis of each of `fmc_context_tie_nodes`. Row r has the entries from `row_offsets[r]`
+/// to `row_offsets[r + 1]`, in ascending order of their columns, which are degrees of freedom as in `fmc_context_tangent`. Offsets and
+/// columns count from the option `index_base`.
 ///
 /// `offset_count` becomes the number of offsets, one more than there are rows, and `count` the number of entries. `row_offsets` has
 /// room for `offset_capacity`, `cols` and `values` for `capacity`. An array that is NULL with capacity 0 is not written: only its
 /// number is returned.
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_LENGTH` where a number does not fit into the context's
-/// numbers, `FMC_ERROR_UNSUPPORTED` where a tie keeps a gap, along which its rows depend on how facets turn, and with bodies that do not separate, `FMC_ERROR_UNTIED` as
-/// `fmc_context_tie`, `FMC_ERROR_BUSY`; nothing is written then. Threads: several at once on one context, as long as no call changes it.
+/// numbers. `FMC_ERROR_UNSUPPORTED` where a tie keeps a gap, since its rows then depend on the rotation of facets, and with bodies that do
+/// not separate. `FMC_ERROR_UNTIED` as `fmc_context_tie`, `FMC_ERROR_BUSY`; nothing is written then. Threads: several at once on one
+/// context, as long as no call changes it.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_tie_constraints(
     context: *const fmc_context,

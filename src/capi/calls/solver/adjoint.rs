@@ -10,23 +10,23 @@ use crate::capi::context::state::{fmc_context, write};
 use crate::capi::structs::equilibrium::fmc_equilibrium_problem;
 use crate::capi::structs::gradients::{fmc_gradients, fmc_pair_gradient};
 
-/// Derivatives of a number J(x, F) of an equilibrium, F being the contact forces on nodes, by what the equilibrium hangs on: two calls, and
-/// one linear solve of the host between them. R are internal less external forces, K = dR/dx, T is the contact's full tangent and a = dJ/dF.
-/// The adjoint b is zero at unknowns that are not free, and in the rows of the others (K + T)^T b = dJ/dx - T^T a.
+/// Derivatives of a number J(x, F) of an equilibrium by its parameters, F being the contact forces on nodes. It takes two calls, and one
+/// linear solve of the host between them. R are internal minus external forces, K = dR/dx, T is the contact's full tangent and a = dJ/dF.
+/// The adjoint b is zero at unknowns that are not free, and solves (K + T)^T b = dJ/dx - T^T a in the free rows.
 ///
-/// With `balance` NULL `right` becomes dJ/dx - T^T a. With `balance` = b, what `gradients` names becomes the total derivative of J by it, as
-/// `fmc_context_vjp` writes it, and `right` becomes dJ/dx - T^T (a + b): less K^T b it is the derivative by the value of an unknown that is
-/// not free. The host's part of dJ/dp is -b . dR/dp; a load has the derivative b. `coords` of `gradients` is by nodes that move by
-/// themselves, x held.
+/// With `balance` NULL `right` becomes dJ/dx - T^T a. With `balance` = b, the arrays of `gradients` become total derivatives of J, as
+/// `fmc_context_vjp` writes them, and `right` becomes dJ/dx - T^T (a + b). Minus K^T b it is the derivative by the value of an unknown that
+/// is not free. The host's part of dJ/dp is -b . dR/dp; a load has the derivative b. `coords` of `gradients` is the derivative by
+/// additional motions of the nodes, x held.
 ///
-/// `problem`: the unknowns as for `fmc_equilibrium_new`, its `x` the equilibrium, found by whatever solver; `prescribed` is not read.
-/// `by_x`: dJ/dx, `unknown_count` numbers, also of unknowns that are not free. `by_forces`: dJ/dF, `row_count * dim` numbers by row; NULL
-/// for zeros. `right` has room for `unknown_count` numbers, or is NULL. `gradients` NULL: nothing more is asked for. `pairs`, `capacity` and
+/// `problem`: the unknowns as for `fmc_equilibrium_new`, its `x` the equilibrium, found by any solver; `prescribed` is not read. `by_x`:
+/// dJ/dx, `unknown_count` numbers, also of unknowns that are not free. `by_forces`: dJ/dF, `row_count * dim` numbers by row; NULL for
+/// zeros. `right` has room for `unknown_count` numbers, or is NULL. `gradients` NULL: only `right` is written. `pairs`, `capacity` and
 /// `count` as for `fmc_context_vjp`.
 ///
-/// Errors: as `fmc_equilibrium_new` for the problem and as `fmc_context_vjp` with an adjoint; `FMC_ERROR_NON_FINITE_STIFFNESS` with the place
-/// in an array. `FMC_ERROR_UNSUPPORTED` with multipliers, as the search leaves where it found the stiffness or a `penetration` was asked
-/// for; with friction; for `slip` and `slip_adjoint`. Nothing is written then. Threads: one call at a time on a context.
+/// Errors: as `fmc_equilibrium_new` for the problem and as `fmc_context_vjp` with an adjoint; `FMC_ERROR_NON_FINITE_STIFFNESS` with the
+/// place in an array. `FMC_ERROR_UNSUPPORTED` with multipliers, which the search sets if it found the stiffness or a `penetration` was
+/// given; with friction; for `slip` and `slip_adjoint`. Nothing is written then. Threads: one call at a time on a context.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_equilibrium_adjoint(
     context: *mut fmc_context,

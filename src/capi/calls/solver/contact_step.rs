@@ -116,7 +116,7 @@ pub struct fmc_contact_step_result {
     pub state: i32,
     /// Linear systems solved.
     pub iterations: i32,
-    /// Evaluations of the contact, without those of its tangent.
+    /// Evaluations of the contact forces alone, without evaluations of the tangent.
     pub evaluation_count: usize,
     /// Degrees of freedom outside the list on which contact acts.
     pub outside_count: usize,
@@ -164,10 +164,10 @@ pub unsafe extern "C" fn fmc_contact_step_options_init(options: *mut fmc_contact
 /// Results and tangent in the context remain those from earlier calls. Dense factors of `dof_count` equations are made in every
 /// iteration: some 500 take tenths of a second.
 ///
-/// Errors: as `fmc_context_tangent` at `coords`; `FMC_ERROR_DOF_OUT_OF_RANGE`, `FMC_ERROR_REPEATED_DOF`,
-/// `FMC_ERROR_NON_FINITE_STIFFNESS`, `FMC_ERROR_NOT_POSITIVE`, `FMC_ERROR_BAD_VALUE`, `FMC_ERROR_STRUCT_SIZE` and `FMC_ERROR_RESERVED_FIELD` for the options,
-/// `FMC_ERROR_SINGULAR_STIFFNESS` and `FMC_ERROR_INDEFINITE_STIFFNESS` for bodies and contact together, `FMC_ERROR_PLACE`. Threads:
-/// one call at a time on a context.
+/// Errors: as `fmc_context_tangent` at `coords`; `FMC_ERROR_DOF_OUT_OF_RANGE`, `FMC_ERROR_REPEATED_DOF`, `FMC_ERROR_NON_FINITE_STIFFNESS`,
+/// `FMC_ERROR_NOT_POSITIVE`, `FMC_ERROR_BAD_VALUE`, `FMC_ERROR_STRUCT_SIZE` and `FMC_ERROR_RESERVED_FIELD` for the options,
+/// `FMC_ERROR_SINGULAR_STIFFNESS` and `FMC_ERROR_INDEFINITE_STIFFNESS` for bodies and contact together, `FMC_ERROR_PLACE`. Threads: one
+/// call at a time on a context.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_contact_step(
     context: *mut fmc_context,

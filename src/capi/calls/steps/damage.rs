@@ -7,9 +7,9 @@ use crate::capi::boundary::status::fmc_status;
 use crate::capi::context::session::in_either;
 use crate::capi::context::state::{fmc_context, read, write};
 
-/// What all points of cohesive interfaces have been through in the steps that were accepted (`fmc_context_commit_step`), in the order of
-/// `fmc_context_cohesive_points`: two numbers for each, its damage, 0 to 1, and the energy by area that it has dissipated. With the
-/// coordinates it is all that a restart needs of them, but for friction and viscosity (`fmc_context_cohesive_history`).
+/// State of all points of cohesive interfaces after the accepted steps (`fmc_context_commit_step`), in the order of
+/// `fmc_context_cohesive_points`. Each point has two numbers: its damage, 0 to 1, and its dissipated energy by area. A restart needs it
+/// and the coordinates, and with friction or viscosity also `fmc_context_cohesive_history`.
 ///
 /// `count` becomes their number; `damage` has room for `capacity`. NULL with capacity 0: only the number is returned.
 ///
@@ -32,11 +32,11 @@ pub unsafe extern "C" fn fmc_context_damage(
     })
 }
 
-/// Sets it: `count` numbers, as `fmc_context_damage` writes them, for a restart, or where an interface is damaged at first. A damage of 1 is a
-/// crack.
+/// Sets this state: `count` numbers, as `fmc_context_damage` writes them, for a restart, or for an initially damaged interface. A damage of
+/// 1 is a crack.
 ///
-/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_LENGTH` for another number of them, `FMC_ERROR_NOT_POSITIVE` for a damage outside 0 to 1 or a
-/// negative energy, `FMC_ERROR_UNTIED`, `FMC_ERROR_BUSY`; the old damage then stays. Threads: one call at a time on a context.
+/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_LENGTH` for a wrong `count`, `FMC_ERROR_NOT_POSITIVE` for a damage outside 0 to 1 or a
+/// negative energy, `FMC_ERROR_UNTIED`, `FMC_ERROR_BUSY`; the old damage is then kept. Threads: one call at a time on a context.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_set_damage(
     context: *mut fmc_context,
@@ -54,10 +54,10 @@ pub unsafe extern "C" fn fmc_context_set_damage(
     })
 }
 
-/// What else these points have been through, five numbers for each: two of the slip of what is broken, as multiples of the edges of the facet of
-/// `partner` that leave its first corner; the energies by area that friction and the viscosity have dissipated; and where the point was when the
-/// step began, which is more than its damage says while viscosity holds damage back. All are 0 without friction and viscosity. A restart sets
-/// them with the damage.
+/// Further state of these points, five numbers for each. Two are the slip of the broken part, as multiples of the two edges at the first
+/// corner of the facet of `partner`. Two are the energies by area that friction and the viscosity have dissipated. The last is the
+/// loading of the point when the step began, sqrt(Y / Y0), which corresponds to more than its damage while the viscosity delays damage.
+/// All are 0 without friction and viscosity. A restart sets them with the damage.
 ///
 /// `count` becomes their number; `history` has room for `capacity`. NULL with capacity 0: only the number is returned.
 ///
@@ -81,10 +81,11 @@ pub unsafe extern "C" fn fmc_context_cohesive_history(
     })
 }
 
-/// Sets it: `count` numbers, as `fmc_context_cohesive_history` writes them, for a restart.
+/// Sets this state: `count` numbers, as `fmc_context_cohesive_history` writes them, for a restart.
 ///
-/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_LENGTH` for another number of them, `FMC_ERROR_NOT_POSITIVE` for what is not finite or a
-/// negative energy of the viscosity, `FMC_ERROR_UNTIED`, `FMC_ERROR_BUSY`; the old one then stays. Threads: one call at a time on a context.
+/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_LENGTH` for a wrong `count`, `FMC_ERROR_NOT_POSITIVE` for a number that is not finite or a
+/// negative energy of the viscosity, `FMC_ERROR_UNTIED`, `FMC_ERROR_BUSY`; the old history is then kept. Threads: one call at a time on a
+/// context.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_set_cohesive_history(
     context: *mut fmc_context,
@@ -102,8 +103,8 @@ pub unsafe extern "C" fn fmc_context_set_cohesive_history(
     })
 }
 
-/// How long the step takes that is under way, and each later one until this is called again: what the viscosity of cohesive interfaces goes
-/// by. An evaluation with a viscosity fails as long as this was not called.
+/// Sets the duration of the current step and of all later ones, for the viscosity of cohesive interfaces. Without this call an evaluation
+/// with a viscosity fails.
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NOT_POSITIVE`, `FMC_ERROR_BUSY`. Threads: one call at a time on a context.
 #[unsafe(no_mangle)]

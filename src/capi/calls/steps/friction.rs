@@ -47,11 +47,11 @@ pub unsafe extern "C" fn fmc_context_commit_step(context: *mut fmc_context, coor
     })
 }
 
-/// Freezes the facets on which friction acts and their pressure as they are at `coords`, until the step is committed or this is
-/// called with `coords` NULL: forces of friction are then minus the gradient of a convex potential, and their tangent is
-/// symmetric and positive semidefinite. Repeat this at the new solution until nothing changes: it converges to the solution
-/// with the current pressure. It also converges at large coefficients of friction, at which Newton's method with the current
-/// pressure fails.
+/// Freezes the facets on which friction acts, and their pressure, as they are at `coords`. This holds until the step is
+/// committed, or until a call with `coords` NULL. Forces of friction are then minus the gradient of a convex potential, and
+/// their tangent is symmetric and positive semidefinite. Repeat this at the new solution until nothing changes: it converges to
+/// the solution with the current pressure. It also converges at large coefficients of friction, at which Newton's method with
+/// the current pressure fails.
 ///
 /// Errors: `FMC_ERROR_NO_STEP`; else as `fmc_context_evaluate`. Earlier frozen friction is then kept. Threads: one call
 /// at a time on a context.

@@ -7,8 +7,8 @@ use crate::capi::boundary::status::fmc_status;
 use crate::capi::context::session::in_either;
 use crate::capi::context::state::{fmc_context, read, write};
 
-/// What laws of friction of the host keep after the steps that were accepted (`fmc_context_commit_step`): for each row of `fmc_context_slip`, in its
-/// order, as many numbers as the law of its pair has, none without a law. With the slip it is all that a restart needs of them.
+/// The history of the host's laws of friction after the accepted steps (`fmc_context_commit_step`). For each row of `fmc_context_slip`, in
+/// its order, it has as many numbers as the law of its pair, none without a law. A restart needs it and the slip.
 ///
 /// `count` becomes their number; `history` has room for `capacity`. NULL with capacity 0: only the number is returned.
 ///
@@ -31,11 +31,11 @@ pub unsafe extern "C" fn fmc_context_friction_history(
     })
 }
 
-/// Sets it, for a restart: `count` numbers, as `fmc_context_friction_history` writes them, after `fmc_context_set_slip` with the rows that they
-/// belong to.
+/// Sets this history, for a restart: `count` numbers, as `fmc_context_friction_history` writes them. Call it after `fmc_context_set_slip`
+/// with the rows to which they belong.
 ///
-/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_LENGTH` for another number of them, `FMC_ERROR_NOT_POSITIVE` for what is not finite,
-/// `FMC_ERROR_NO_STEP`, `FMC_ERROR_BUSY`; the old one then stays. Threads: one call at a time on a context.
+/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_LENGTH` for a wrong `count`, `FMC_ERROR_NOT_POSITIVE` for a number that is not
+/// finite, `FMC_ERROR_NO_STEP`, `FMC_ERROR_BUSY`; the old history is then kept. Threads: one call at a time on a context.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_set_friction_history(
     context: *mut fmc_context,

@@ -7,13 +7,13 @@ use crate::capi::boundary::status::fmc_status;
 use crate::capi::context::session::in_either;
 use crate::capi::context::state::{fmc_context, read, write};
 
-/// The history of all points of interfaces by laws of the host after the steps that were accepted (`fmc_context_commit_step`), in the order of
-/// `fmc_context_law_points`: as many numbers for each as its law has. With the coordinates it is all that a restart needs of them.
+/// The history of all points of interfaces by laws of the host after the accepted steps (`fmc_context_commit_step`), in the order of
+/// `fmc_context_law_points`: as many numbers for each as its law has. A restart needs it and the coordinates.
 ///
 /// `count` becomes their number; `history` has room for `capacity`. NULL with capacity 0: only the number is returned.
 ///
-/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_UNTIED` as `fmc_context_law_points`, `FMC_ERROR_BUSY`; nothing is
-/// written then. Threads: several at once on one context, as long as no call changes it.
+/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_UNTIED` as `fmc_context_law_points`, `FMC_ERROR_BUSY`;
+/// nothing is written then. Threads: several at once on one context, as long as no call changes it.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_law_history(
     context: *const fmc_context,
@@ -31,10 +31,10 @@ pub unsafe extern "C" fn fmc_context_law_history(
     })
 }
 
-/// Sets it: `count` numbers, as `fmc_context_law_history` writes them, for a restart.
+/// Sets this history: `count` numbers, as `fmc_context_law_history` writes them, for a restart.
 ///
-/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_LENGTH` for another number of them, `FMC_ERROR_NOT_POSITIVE` for what is not finite,
-/// `FMC_ERROR_UNTIED`, `FMC_ERROR_BUSY`; the old one then stays. Threads: one call at a time on a context.
+/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_LENGTH` for a wrong `count`, `FMC_ERROR_NOT_POSITIVE` for a number that is not
+/// finite, `FMC_ERROR_UNTIED`, `FMC_ERROR_BUSY`; the old history is then kept. Threads: one call at a time on a context.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_set_law_history(
     context: *mut fmc_context,

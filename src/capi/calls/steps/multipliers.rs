@@ -8,8 +8,7 @@ use crate::capi::context::session::in_either;
 use crate::capi::context::state::{fmc_context, read, write};
 use crate::capi::structs::multiplier::fmc_multiplier;
 
-/// The multipliers, ascending by node and partner: with the coordinates all that a restart needs, or a load step that is tried
-/// again.
+/// The multipliers, ascending by node and partner. A restart, or a repeated load step, needs them and the coordinates.
 ///
 /// `count` becomes their number; `rows` has room for `capacity`. NULL with capacity 0: only the number is returned.
 ///
@@ -37,11 +36,11 @@ pub unsafe extern "C" fn fmc_context_multipliers(
     })
 }
 
-/// Sets the multipliers, `count` structs as `fmc_context_multipliers` writes them; none: surfaces are where they are again.
+/// Sets the multipliers, `count` structs as `fmc_context_multipliers` writes them; none: surfaces are no longer shifted.
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_STRUCT_SIZE`, `FMC_ERROR_NODE_OUT_OF_RANGE`, `FMC_ERROR_BAD_VALUE` for a kind of
-/// partner that there is not, `FMC_ERROR_NOT_POSITIVE` for a shift or a direction that is none, `FMC_ERROR_UNSUPPORTED` as
-/// `fmc_context_augment`, `FMC_ERROR_BUSY`; what was moved out then stays. Threads: one call at a time on a context.
+/// partner that does not exist, `FMC_ERROR_NOT_POSITIVE` for an invalid shift or direction, `FMC_ERROR_UNSUPPORTED` as
+/// `fmc_context_augment`, `FMC_ERROR_BUSY`; the old multipliers are then kept. Threads: one call at a time on a context.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_set_multipliers(
     context: *mut fmc_context,

@@ -7,14 +7,15 @@ use crate::capi::boundary::status::fmc_status;
 use crate::capi::context::session::in_either;
 use crate::capi::context::state::{fmc_context, read, write};
 
-/// The elastic slip that was carried into the step: a row for every facet and each of the bodies and obstacles that it faced, where there
-/// was any. With the coordinates and the poses at which the step began it is all that a restart needs: `fmc_context_begin_step` there,
-/// then `fmc_context_set_slip`, gives the bits of the unbroken run.
+/// The elastic slip carried into the step: a row for every facet with slip and each body or obstacle that it faced. A restart needs it,
+/// and the coordinates and poses at which the step began. Call `fmc_context_begin_step` there, then `fmc_context_set_slip`: the results
+/// are bit-for-bit identical to the unbroken run.
 ///
-/// A row is 8 numbers: the facet, by its place in `fmc_context_boundary_facets` from 0 whatever the base; what it faces, a value of
-/// `fmc_partner`, and its index for `fmc_context_body_resultant` or `fmc_context_obstacle_resultant`; 1 where the facet's body is the
-/// second side of that pair, else 0; three of the slip of the facet, a length, in 2D the last 0; how far
-/// it has slid since it rested, with `static_coefficient`, else 0. Rows ascend by facet, partner and side.
+/// A row is 8 numbers. The first is the facet, by its place in `fmc_context_boundary_facets` from 0 whatever the base. Then follow
+/// the kind of its partner, a value of `fmc_partner`, and the partner's index for `fmc_context_body_resultant` or
+/// `fmc_context_obstacle_resultant`; then 1 where the facet's body is the second side of that pair, else 0. The last four are the
+/// slip of the facet, three lengths, in 2D the last 0, and the slip since it rested, with `static_coefficient`, else 0. Rows ascend
+/// by facet, partner and side.
 ///
 /// `count` becomes their number; `slip` has room for `capacity`. NULL with capacity 0: only the number is returned.
 ///
@@ -37,12 +38,13 @@ pub unsafe extern "C" fn fmc_context_slip(
     })
 }
 
-/// Sets the elastic slip that was carried into the step that has begun: `count` numbers, in rows as `fmc_context_slip` writes
-/// them; what no row names has none.
+/// Sets the elastic slip carried into the current step: `count` numbers, in rows as `fmc_context_slip` writes them. Facets
+/// without a row have none.
 ///
-/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NO_STEP`, `FMC_ERROR_LENGTH` where the last row is not whole,
-/// `FMC_ERROR_INDEX_OUT_OF_RANGE` for a row that names a facet or a partner that there is not, or one twice, or is no such row,
-/// `FMC_ERROR_BAD_VALUE`, `FMC_ERROR_NON_FINITE_SLIP`, `FMC_ERROR_BUSY`; the old slip then stays. Threads: one call at a time on a context.
+/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NO_STEP`, `FMC_ERROR_LENGTH` where the last row is not whole.
+/// `FMC_ERROR_INDEX_OUT_OF_RANGE` for a row that names a facet or a partner that does not exist, that occurs twice, or that is not valid.
+/// `FMC_ERROR_BAD_VALUE`, `FMC_ERROR_NON_FINITE_SLIP`, `FMC_ERROR_BUSY`; the old slip is then kept. Threads: one call at a time on a
+/// context.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_set_slip(context: *mut fmc_context, slip: *const f64, count: usize) -> fmc_status {
     entry(|| {

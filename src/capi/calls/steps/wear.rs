@@ -8,19 +8,19 @@ use crate::capi::context::session::in_either;
 use crate::capi::context::state::{fmc_context, read, write};
 use crate::capi::structs::partner::partner;
 
-/// Has the sides of a pair wear by Archard's law: `a` that slides by |ds| under the pressure p loses `wear_a` p |ds| of its depth, and `b` loses
-/// `wear_b` p |ds|. Both in 1/pressure, a wear coefficient without unit by the hardness, and at least 0; 0, the default: that side does not wear.
-/// Obstacles never do. With the laws "depth" and "fiber". Partners are named as in `fmc_context_set_pair_options`, and all other options of the pair
-/// stay.
+/// Sets wear of a pair by Archard's law: `a` that slides by |ds| under the pressure p loses `wear_a` p |ds| of its depth, and `b` loses
+/// `wear_b` p |ds|. Both are dimensionless wear coefficient / hardness, in 1/pressure, and at least 0; 0, the default: that side does not
+/// wear. Obstacles never wear. With the laws "depth" and "fiber". Partners are named as in `fmc_context_set_pair_options`, and all other
+/// options of the pair stay.
 ///
-/// Surfaces wear in `fmc_context_commit_step` alone. Contact then takes a worn surface to lie so much farther in; the host's nodes and strains
-/// stay. The depth at a node is the integral of N K p |s| dA by that of N dA, N being its shape function, so that the body loses the integral of
-/// K p |s| dA. Slip is that of friction without its elastic part; of a pair without friction all of it, since `fmc_context_begin_step`.
+/// Surfaces wear in `fmc_context_commit_step` alone. Contact then sees the surface recessed by the worn depth; the host's nodes and strains
+/// stay. The depth at a node is int N K p |s| dA / int N dA, N being its shape function, so that the body loses the integral of K p |s| dA.
+/// With friction the slip counts without its elastic part; without friction all slip since `fmc_context_begin_step` counts.
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BODY_OUT_OF_RANGE`, `FMC_ERROR_OBSTACLE_OUT_OF_RANGE`, `FMC_ERROR_OBSTACLE_REMOVED`,
-/// `FMC_ERROR_BAD_VALUE` for an unknown kind, `FMC_ERROR_NOT_POSITIVE` for a number that is negative or not finite, `FMC_ERROR_UNSUPPORTED` for
-/// wear of an obstacle, of a body with itself, by the law "volume", of bodies that are held together or never slide, and of a mesh in parts,
-/// `FMC_ERROR_BUSY`; what was set before then stays. Threads: one call at a time on a context.
+/// `FMC_ERROR_BAD_VALUE` for an unknown kind, `FMC_ERROR_NOT_POSITIVE` for a number that is negative or not finite, `FMC_ERROR_BUSY`.
+/// `FMC_ERROR_UNSUPPORTED` for wear of an obstacle, of a body with itself, by the law "volume", of bodies that are held together or never
+/// slide, and of a mesh in parts. The earlier coefficients are then kept. Threads: one call at a time on a context.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_set_pair_wear(
     context: *mut fmc_context,
@@ -42,11 +42,11 @@ pub unsafe extern "C" fn fmc_context_set_pair_wear(
     })
 }
 
-/// What the sides of a pair wear by, as `fmc_context_set_pair_wear` has set it; zeros by default.
+/// Wear coefficients of a pair, as set by `fmc_context_set_pair_wear`; zeros by default.
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BODY_OUT_OF_RANGE`, `FMC_ERROR_OBSTACLE_OUT_OF_RANGE`, `FMC_ERROR_OBSTACLE_REMOVED`,
-/// `FMC_ERROR_BAD_VALUE` for an unknown kind, `FMC_ERROR_UNSUPPORTED` for two obstacles, `FMC_ERROR_BUSY`; nothing is written then. Threads:
-/// several at once on one context, as long as no call changes it.
+/// `FMC_ERROR_BAD_VALUE` for an unknown kind, `FMC_ERROR_UNSUPPORTED` for two obstacles, `FMC_ERROR_BUSY`; nothing is written then.
+/// Threads: several at once on one context, as long as no call changes it.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_pair_wear(
     context: *const fmc_context,
@@ -70,7 +70,7 @@ pub unsafe extern "C" fn fmc_context_pair_wear(
     })
 }
 
-/// How far surfaces are worn off (`fmc_context_set_pair_wear`), a length for every node, in the order of `fmc_context_nodal_contact`; 0 at first.
+/// Worn depth of surfaces (`fmc_context_set_pair_wear`), a length for every node, in the order of `fmc_context_nodal_contact`; 0 at first.
 ///
 /// `count` becomes their number; `depth` has room for `capacity`. NULL with capacity 0: only the number is returned.
 ///
@@ -94,8 +94,8 @@ pub unsafe extern "C" fn fmc_context_worn_depth(
     })
 }
 
-/// What every body has lost by wear: a volume, in 2D by unit of thickness, with axisymmetry that of rings. It is the integral of K p |s| dA of all
-/// steps that were accepted.
+/// Volume that every body has lost by wear, in 2D by unit of thickness, with axisymmetry the volume of rings. It is the integral of K p |s|
+/// dA over all accepted steps.
 ///
 /// `count` becomes the number of bodies; `volumes` has room for `capacity`. NULL with capacity 0: only the number is
 /// returned.
@@ -118,9 +118,9 @@ pub unsafe extern "C" fn fmc_context_worn_volumes(
     })
 }
 
-/// What was worn off, for a restart: a row for every facet and each of the points that move it, where there is wear. A row is 4 numbers: the facet,
-/// by its place in `fmc_context_boundary_facets` from 0 whatever the base; the node from 0, with cells of second order the point
-/// (`fmc_context_point_weights`); the depth against the normal of the facet; and the volume. Rows ascend by facet and point.
+/// State of wear, for a restart: a row for every worn facet and each of the points that move it. A row is 4 numbers: facet, node,
+/// depth against the normal of the facet, and volume. The facet is its place in `fmc_context_boundary_facets`. With cells of second
+/// order the node is a point (`fmc_context_point_weights`). Both count from 0 whatever the base. Rows ascend by facet and point.
 ///
 /// `count` becomes their number; `worn` has room for `capacity`. NULL with capacity 0: only the number is returned.
 ///
@@ -143,13 +143,14 @@ pub unsafe extern "C" fn fmc_context_worn_facets(
     })
 }
 
-/// Sets what was worn off: `count` numbers, in rows as `fmc_context_worn_facets` writes them; what no row names is not worn, none: nothing is, as
-/// where the host has moved its nodes to the worn surface. For a restart call it before `fmc_context_begin_step` and `fmc_context_set_slip`:
-/// the results have the bits of the unbroken run.
+/// Sets the state of wear: `count` numbers, in rows as `fmc_context_worn_facets` writes them. Facets without a row are not worn. Pass no
+/// rows after the host has moved its nodes to the worn surface. For a restart call it before `fmc_context_begin_step` and
+/// `fmc_context_set_slip`: the results are bit-for-bit identical to the unbroken run.
 ///
-/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_LENGTH` where the last row is not whole, `FMC_ERROR_INDEX_OUT_OF_RANGE` for a row that names a
-/// facet that there is not, a point that does not move it, or both twice, `FMC_ERROR_NOT_POSITIVE` for a depth or volume that is negative or not
-/// finite, `FMC_ERROR_UNSUPPORTED` for a mesh in parts, `FMC_ERROR_BUSY`; what was worn before then stays. Threads: one call at a time on a context.
+/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_LENGTH` where the last row is not whole, `FMC_ERROR_INDEX_OUT_OF_RANGE` for a row that
+/// names a facet that does not exist, a point that does not move it, or both twice. `FMC_ERROR_NOT_POSITIVE` for a depth or volume that is
+/// negative or not finite, `FMC_ERROR_UNSUPPORTED` for a mesh in parts, `FMC_ERROR_BUSY`. The old state is then kept. Threads: one call at
+/// a time on a context.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_set_worn_facets(
     context: *mut fmc_context,
@@ -167,11 +168,11 @@ pub unsafe extern "C" fn fmc_context_set_worn_facets(
     })
 }
 
-/// As many times the wear of a step counts from now on, 1 at first: a step then stands for so many cycles. Wear is explicit, and surfaces do
-/// not change within a step: `FMC_WARNING_LARGE_WEAR` tells of too many cycles.
+/// Sets how many cycles each step represents from now on, 1 at first: the wear of a step is multiplied by this number. Wear is explicit,
+/// and surfaces do not change within a step: `FMC_WARNING_LARGE_WEAR` reports too many cycles.
 ///
-/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NOT_POSITIVE` unless positive and finite, `FMC_ERROR_BUSY`. Threads: one call at a time on a
-/// context.
+/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NOT_POSITIVE` unless positive and finite, `FMC_ERROR_BUSY`. Threads: one call at a time on
+/// a context.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_set_wear_cycles(context: *mut fmc_context, cycles: f64) -> fmc_status {
     entry(|| {

@@ -13,7 +13,8 @@ use crate::contact::equilibrium::Goal;
 use crate::contact::{Directions, GradientRequest};
 
 impl<const D: usize> Resident<D> {
-    /// The derivatives of `energy` times the energy and `adjoint` times the forces and `slip` times the elastic slip at the end of the step.
+    /// The derivatives of `energy` times the energy and `adjoint` times the forces and `slip` times the elastic slip at the end of the
+    /// step.
     pub(crate) unsafe fn vjp(
         &mut self,
         coords: &fmc_coords,
