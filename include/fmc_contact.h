@@ -118,7 +118,7 @@ typedef enum {
   FMC_ERROR_SIGNED_DISTANCE = 25,
   // The spacing is too small for the bodies.
   FMC_ERROR_TOO_MANY_FIBERS = 26,
-  // The threads could not be started, or more than 1024 were asked for.
+  // The threads could not be started, or more than 1024 were requested.
   FMC_ERROR_THREADS = 27,
   // The context is in use by another call: from another thread, or from a callback of this one.
   FMC_ERROR_BUSY = 28,
@@ -144,7 +144,7 @@ typedef enum {
   FMC_ERROR_TOO_MANY_PIECES = 38,
   // Lines along the boundary of a signed-distance obstacle would need more steps than are taken.
   FMC_ERROR_UNFINISHED_LINES = 39,
-  // Friction is asked for, but no step has begun: call `fmc_context_begin_step`.
+  // Friction is on, but no step has begun: call `fmc_context_begin_step`.
   FMC_ERROR_NO_STEP = 40,
   // An elastic slip is NaN or infinite.
   FMC_ERROR_NON_FINITE_SLIP = 41,
@@ -171,7 +171,7 @@ typedef enum {
   FMC_ERROR_COMMUNICATION = 51,
   // The evaluation failed on another rank, which has the cause.
   FMC_ERROR_ON_OTHER_RANK = 52,
-  // Ranks that share the work of a context were given different coordinates, options or obstacles, or asked for different things.
+  // Ranks that share the work of a context were given different coordinates, options or obstacles, or made different calls.
   FMC_ERROR_RANKS_DIFFER = 53,
   // Coordinates at which a part of a mesh that was not gathered may be in contact.
   FMC_ERROR_NOT_GATHERED = 54,
@@ -290,11 +290,11 @@ typedef enum {
 // New options take the place of reserved fields; the size of the struct does not change, and compiled hosts keep
 // working. Every option can also be set by the name of its field, through `fmc_options_set`.
 typedef struct {
-  // Set by `fmc_options_init`, so that a struct that was not initialised is recognised.
+  // Set by `fmc_options_init`, so that the library recognises an uninitialised struct.
   size_t struct_size;
-  // k > 0. 0, the default, with the laws "depth" and "fiber": `fmc_equilibrium_next` finds it from the bodies' matrix; until then
-  // nothing can be evaluated (`FMC_ERROR_NO_STIFFNESS`). For the laws "depth" and "fiber" a pressure per length (Pa/m): the pressure is
-  // k times the penetration; see `fmc_suggest_stiffness`. For the law "volume" with `exponent` 1 it is a pressure (Pa) in 2D and 3D, and
+  // k > 0. 0, the default, with the laws "depth" and "fiber": `fmc_equilibrium_next` finds it from the bodies' matrix; until then no
+  // evaluation is possible (`FMC_ERROR_NO_STIFFNESS`). For the laws "depth" and "fiber" a pressure per length (Pa/m): the pressure is k
+  // times the penetration; see `fmc_suggest_stiffness`. For the law "volume" with `exponent` 1 it is a pressure (Pa) in 2D and 3D, and
   // must exceed the peak contact pressure; in general energy / (length^dim)^m.
   double stiffness;
   // m >= 1, for the law "volume" only. Default 1.
@@ -508,8 +508,8 @@ typedef enum {
 
 // Facets, search trees and obstacles of a mesh in contact, and the results of the last evaluation. Opaque.
 //
-// Contexts share nothing, so different ones may be used by different threads at once. One context may be used by one
-// thread after another. Concurrent calls on it, from two threads or from inside a callback, return `FMC_ERROR_BUSY`.
+// Contexts share nothing, so different threads may use different contexts at once. Threads may use one context one
+// after another. Concurrent calls on it, from two threads or from inside a callback, return `FMC_ERROR_BUSY`.
 typedef struct fmc_context fmc_context;
 
 // Receives messages: a level, and a sentence that is valid during the call. `user` is the pointer given with it.
@@ -543,10 +543,10 @@ fmc_status fmc_context_set_log(fmc_context *context, fmc_log_callback callback, 
 
 // Makes a context from the cells of a mesh, in one block for each type; the boundary facets are found from them.
 //
-// `dim` is 2 or 3. `coords` are the coordinates of all nodes of the host, used or not: forces are returned for all of
-// them. Cells may be numbered in either orientation. `body_ids`, one for every cell counted over the blocks, as wide as node
-// numbers, say which body a cell belongs to; NULL: bodies are the connected components by faces. Everything is read during the call and
-// not kept (topology is copied). `options`, with `stiffness` set, must have been initialised.
+// `dim` is 2 or 3. `coords` are the coordinates of all nodes of the host, used or not: forces are returned for all of them. Cells may
+// be numbered in either orientation. `body_ids`, one for every cell counted over the blocks, of the same width as node numbers, say
+// which body a cell belongs to; NULL: bodies are the connected components by faces. Everything is read during the call and not kept
+// (topology is copied). `options`, with `stiffness` set, must have been initialised.
 //
 // `context` receives the new context, to be freed by `fmc_context_free`.
 //
@@ -567,8 +567,8 @@ fmc_status fmc_context_new_from_cells(int32_t dim,
 //
 // An edge has its body on the left, other facets run counter-clockwise seen from outside. Facets of second order are measured as the
 // faces of cells of second order are, and give the same forces. In 3D an edge with a mid-side node does not conform to a straight
-// edge. `body_ids`, one for every facet counted over the blocks, as wide as node numbers, may be NULL: bodies are the connected
-// components by nodes. Otherwise as `fmc_context_new_from_cells`; also `FMC_ERROR_OPEN_SURFACE`,
+// edge. `body_ids`, one for every facet counted over the blocks, of the same width as node numbers, may be NULL: bodies are the
+// connected components by nodes. Otherwise as `fmc_context_new_from_cells`; also `FMC_ERROR_OPEN_SURFACE`,
 // `FMC_ERROR_INCONSISTENT_ORIENTATION`, `FMC_ERROR_INVERTED_SURFACE`, `FMC_ERROR_NON_CONFORMING`, and `FMC_ERROR_INVERTED_CELL` for a
 // facet of which a part faces the other way. A mid-side node too near to a corner causes this: nearer than an eighth of the edge,
 // along the edge.
@@ -630,7 +630,7 @@ fmc_status fmc_context_set_interrupt(fmc_context *context,
 // A sparse matrix of the host in compressed rows (CSR): row r has the entries from `row_offsets[r]` to `row_offsets[r + 1]`, in any
 // order; entries at one place add up. Initialise it with `fmc_csr_init`, then set all fields.
 typedef struct {
-  // Set by `fmc_csr_init`, so that a struct that was not initialised is recognised.
+  // Set by `fmc_csr_init`, so that the library recognises an uninitialised struct.
   size_t struct_size;
   // Number of rows.
   size_t row_count;
@@ -652,8 +652,8 @@ typedef struct {
 // they are the coordinates at which the context was created.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_UNSUPPORTED` for a surface without cells, `FMC_ERROR_LENGTH`,
-// `FMC_ERROR_NON_FINITE_COORDINATE`, `FMC_ERROR_INVERTED_CELL`, `FMC_ERROR_ZERO_MEASURE`; the old coordinates then stay. Threads:
-// one call at a time on a context.
+// `FMC_ERROR_NON_FINITE_COORDINATE`, `FMC_ERROR_INVERTED_CELL`, `FMC_ERROR_ZERO_MEASURE`; the old coordinates are then kept.
+// Threads: one call at a time on a context.
 fmc_status fmc_context_set_reference(fmc_context *context,
                                      const fmc_coords *coords);
 
@@ -693,9 +693,9 @@ fmc_status fmc_context_set_surface_smoothing(fmc_context *context,
 
 // Names a part of the surface, so that options of a pair can refer to it (`surface_a`, `surface_b`).
 //
-// `facets` are `count` facets, each by its place in `fmc_context_boundary_facets` from 0 whatever the base, in any order; of a
-// quadrilateral face all four, of one of second order all its parts. They may belong to several bodies. `surface` becomes the number of
-// the part: 1, 2, ... It does not depend on the reference coordinates.
+// `facets` are `count` facets, each by its place in `fmc_context_boundary_facets` always from 0, in any order; of a quadrilateral face
+// all four, of one of second order all its parts. They may belong to several bodies. `surface` becomes the number of the part: 1, 2,
+// ... It does not depend on the reference coordinates.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`; `FMC_ERROR_BAD_VALUE` for a facet that does not exist, naming its entry; `FMC_ERROR_UNSUPPORTED`
 // without facets and for a mesh in parts, `FMC_ERROR_BUSY`. Nothing changes then. Threads: one call at a time on a context.
@@ -787,7 +787,7 @@ typedef int32_t (*fmc_signed_distance)(void *user, size_t n, const double *x, do
 //
 // New fields take the place of reserved ones; the size of the struct does not change.
 typedef struct {
-  // Set by `fmc_shape_init`, so that a struct that was not initialised is recognised.
+  // Set by `fmc_shape_init`, so that the library recognises an uninitialised struct.
   size_t struct_size;
   // A value of `fmc_shape_kind`.
   int32_t kind;
@@ -875,7 +875,7 @@ fmc_status fmc_context_add_obstacle(fmc_context *context,
                                     const fmc_pose *pose,
                                     size_t *obstacle);
 
-// Kind of an obstacle's shape, a value of `fmc_shape_kind`, and its pose as it stands. Either output may be NULL.
+// Kind of an obstacle's shape, a value of `fmc_shape_kind`, and its current pose. Either output may be NULL.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_OBSTACLE_OUT_OF_RANGE`, `FMC_ERROR_OBSTACLE_REMOVED`, `FMC_ERROR_BUSY`.
 // Threads: several at once on one context, as long as no call changes it.
@@ -949,7 +949,7 @@ typedef enum {
 //
 // New options take the place of reserved fields; the size of the struct does not change.
 typedef struct {
-  // Set by `fmc_pair_options_init`, so that a struct that was not initialised is recognised.
+  // Set by `fmc_pair_options_init`, so that the library recognises an uninitialised struct.
   size_t struct_size;
   // k > 0 of the law of this pair, in the units of `stiffness` in `fmc_options`; only with `law`, and then without a default. With
   // `FMC_INTERFACE_COHESIVE`, and without `law`: traction / opening without damage, and in compression. 0: damage begins at a hundredth
@@ -993,7 +993,7 @@ typedef struct {
   double normal_strength;
   // The same in pure sliding; 0, the default: as in opening.
   double shear_strength;
-  // Energy by area that pure opening takes until the interface is broken, positive.
+  // Energy per area that pure opening takes until the interface is broken, positive.
   double normal_energy;
   // The same in pure sliding; 0, the default: as in opening.
   double shear_energy;
@@ -1019,7 +1019,7 @@ typedef struct {
 // sqrt((t1/m1)^2 + (t2/m2)^2) <= p. The slip maximises the dissipation: it is normal to the ellipse, mostly not along the traction.
 // With a `static_coefficient` both limits are larger by the same factor.
 typedef struct {
-  // Set by `fmc_orthotropic_friction_init`, so that a struct that was not initialised is recognised.
+  // Set by `fmc_orthotropic_friction_init`, so that the library recognises an uninitialised struct.
   size_t struct_size;
   // Coefficient m2 across the direction, at least 0 and finite. Default 0.
   double transverse_coefficient;
@@ -1038,7 +1038,7 @@ typedef struct {
 // Shapes and initial slopes of the law of Park, Paulino and Roesler (J. Mech. Phys. Solids 57, 2009), of a cohesive interface with
 // `FMC_SOFTENING_PPR`. `fmc_ppr_init` sets all of it.
 typedef struct {
-  // Set by `fmc_ppr_init`, so that a struct that was not initialised is recognised.
+  // Set by `fmc_ppr_init`, so that the library recognises an uninitialised struct.
   size_t struct_size;
   // Shape alpha of softening in opening, above 1: below 2 the traction falls late, about 2 along a line, above it early with a long
   // tail. Default 2.
@@ -1101,8 +1101,8 @@ typedef struct {
 typedef struct {
   // Size of this struct, as the library wrote it.
   size_t struct_size;
-  // Force by area without deformation along the axes, (count, dim): positive where it resists a positive jump. An unwritten entry
-  // counts as not finite.
+  // Force per area without deformation along the axes, (count, dim): positive where it resists a positive jump. An unwritten
+  // entry counts as not finite.
   double *traction;
   // Its derivative by the jump, with history and time step held, (count, dim, dim), row by row: entry (i, j) is the derivative of
   // traction i by jump j. It need not be symmetric. An unwritten entry counts as not finite.
@@ -1110,7 +1110,7 @@ typedef struct {
   // The history as it would be after a step that ends here, (count, history_count). It is preset to the history at
   // the start of the step.
   double *history;
-  // Energy by area that unloading would give back, (count); 0 at first. Only reported energies depend on it.
+  // Energy per area that unloading would give back, (count); 0 at first. Only reported energies depend on it.
   double *stored;
   // The same that has been dissipated since the beginning.
   double *dissipated;
@@ -1131,7 +1131,7 @@ typedef int32_t (*fmc_respond)(void *user, const fmc_law_points *at, const fmc_l
 //
 // New fields take the place of reserved ones; the size of the struct does not change.
 typedef struct {
-  // Set by `fmc_own_law_init`, so that a struct that was not initialised is recognised.
+  // Set by `fmc_own_law_init`, so that the library recognises an uninitialised struct.
   size_t struct_size;
   // Numbers that a point carries from step to step. Default 0.
   size_t history_count;
@@ -1166,7 +1166,7 @@ typedef struct {
   int32_t unused;
   // Duration of the step (`fmc_context_set_time_step`); 0: not set.
   double time_step;
-  // Stiffness k_T of the stick, a pressure by length; 0: friction without memory.
+  // Stiffness k_T of the stick, a pressure per length; 0: friction without memory.
   double stiffness;
   // Places of the facets in `fmc_context_boundary_facets`, from 0, (count).
   const size_t *facet;
@@ -1201,11 +1201,12 @@ typedef struct {
 typedef struct {
   // Size of this struct, as the library wrote it.
   size_t struct_size;
-  // Tractions at which the facets slide, force by area, at least 0, (count). An unwritten entry counts as not finite.
+  // Tractions at which the facets slide, force per area, at least 0, (count). An unwritten entry counts as not
+  // finite.
   double *limit;
   // Their derivatives by the pressure, with slip, history and time step held, (count). An unwritten entry counts as not finite.
   double *by_pressure;
-  // Their derivatives by the slip, the trial going along with it, (count, dim - 1). 0 at first.
+  // Their derivatives by the slip, with the trial slip changing by the same amount, (count, dim - 1). 0 at first.
   double *by_slip;
   // The history as it would be after a step that ends here, (count, history_count). It is preset to the history at
   // the start of the step.
@@ -1226,7 +1227,7 @@ typedef int32_t (*fmc_limit_friction)(void *user, const fmc_friction_facets *at,
 //
 // New fields take the place of reserved ones; the size of the struct does not change.
 typedef struct {
-  // Set by `fmc_friction_law_init`, so that a struct that was not initialised is recognised.
+  // Set by `fmc_friction_law_init`, so that the library recognises an uninitialised struct.
   size_t struct_size;
   // Numbers that a facet carries from step to step for each partner that it faces. Default 0.
   size_t history_count;
@@ -1243,10 +1244,10 @@ typedef struct {
 // Errors: `FMC_ERROR_NULL_POINTER`. Threads: any, on different structs.
 fmc_status fmc_pair_options_init(fmc_pair_options *options);
 
-// Sets the options of a pair: a body with another, with itself, or with an obstacle, in either order. They apply from
-// the next evaluation on; `options` NULL: the pair follows the context's again, as every pair does at first. Friction of the pair is then
-// the same in all directions; for another, call `fmc_context_set_orthotropic_pair` instead. The wear coefficients of the pair are kept;
-// with NULL they are removed.
+// Sets the options of a pair: a body with another, with itself, or with an obstacle, in either order. They apply from the next evaluation
+// on; `options` NULL: the pair follows the options of the context again, as every pair does at first. Friction of the pair is then the
+// same in all directions; for another, call `fmc_context_set_orthotropic_pair` instead. The wear coefficients of the pair are kept; with
+// NULL they are removed.
 //
 // `a_kind` and `b_kind` are values of `fmc_partner`; `a` and `b` count bodies as `fmc_context_body_resultant` and obstacles as
 // `fmc_context_obstacle_resultant`. For a body with itself these options decide in place of the context's `self_contact` whether
@@ -1425,7 +1426,7 @@ fmc_status fmc_friction_law_check(const fmc_friction_law *law,
 
 // Sets the options of a pair (two bodies, a body and an obstacle, or a body with itself) as `fmc_context_set_pair_options` does, and its
 // law of sliding, which replaces coefficient, cohesion and shear limit. The history of the law begins with zeros.
-// `fmc_context_set_pair_options` takes the law back. As with any friction the tangent is unsymmetric, and a step must have begun.
+// `fmc_context_set_pair_options` removes the law. As with any friction the tangent is unsymmetric, and a step must have begun.
 //
 // Errors: as `fmc_context_set_pair_options`; the errors of `fmc_friction_law_check` for an invalid struct; `FMC_ERROR_UNSUPPORTED` with a
 // coefficient of friction or a wear coefficient of the pair, with another interface than contact, and for a mesh in parts. The earlier
@@ -2065,11 +2066,11 @@ typedef enum {
 // Concurrent calls on one return `FMC_ERROR_BUSY`.
 typedef struct fmc_equilibrium fmc_equilibrium;
 
-// When a search ends, and how. Initialise it with `fmc_equilibrium_options_init`; nothing has to be chosen.
+// Tolerances and limits of a search. Initialise it with `fmc_equilibrium_options_init`; the defaults suffice.
 //
 // New fields take the place of reserved ones; the size of the struct does not change.
 typedef struct {
-  // Set by `fmc_equilibrium_options_init`, so that a struct that was not initialised is recognised.
+  // Set by `fmc_equilibrium_options_init`, so that the library recognises an uninitialised struct.
   size_t struct_size;
   // Relative residual: its norm at free unknowns / norm of the forces of the bodies or of the contact, whichever is larger. Default
   // 1e-9.
@@ -2103,7 +2104,7 @@ typedef struct {
 //
 // New fields take the place of reserved ones; the size of the struct does not change.
 typedef struct {
-  // Set by `fmc_equilibrium_problem_init`, so that a struct that was not initialised is recognised.
+  // Set by `fmc_equilibrium_problem_init`, so that the library recognises an uninitialised struct.
   size_t struct_size;
   // Number of unknowns, free or not.
   size_t unknown_count;
@@ -2129,12 +2130,12 @@ typedef struct {
 //
 // New fields take the place of reserved ones; the size of the struct does not change.
 typedef struct {
-  // Set by `fmc_equilibrium_answer_init`, so that a struct that was not initialised is recognised.
+  // Set by `fmc_equilibrium_answer_init`, so that the library recognises an uninitialised struct.
   size_t struct_size;
-  // The requested vector, `unknown_count` numbers. NULL: there is none, for example with an inverted cell or a singular
-  // matrix.
+  // The requested vector, `unknown_count` numbers. NULL: it does not exist, for example with an inverted cell or a
+  // singular matrix.
   const double *vector;
-  // Why there is none, or NULL.
+  // Reason why it does not exist, or NULL.
   const char *refusal;
   // With forces: strain energy minus the work of loads, or NULL where the host does not know it.
   const double *energy;
@@ -2307,7 +2308,7 @@ typedef struct fmc_condensation fmc_condensation;
 //
 // New fields take the place of reserved ones; the size of the struct does not change.
 typedef struct {
-  // Set by `fmc_contact_step_options_init`, so that a struct that was not initialised is recognised.
+  // Set by `fmc_contact_step_options_init`, so that the library recognises an uninitialised struct.
   size_t struct_size;
   // Relative residual at which a step has converged. The reference is the norm of the given residual or of the contact
   // forces on the list, whichever is larger. Default 1e-10.
@@ -2338,8 +2339,8 @@ typedef struct {
 // displacement added on the list. Move the nodes that follow, and none on the list. `user` is the pointer given with the
 // function.
 //
-// Return 0; any other value makes the step fail with `FMC_ERROR_PLACE`. It is called on the thread that asked for the step. It must
-// not call a function of the same context (it would get `FMC_ERROR_BUSY`), throw, or jump out.
+// Return 0; any other value makes the step fail with `FMC_ERROR_PLACE`. It is called on the thread that called for the step. It
+// must not call a function of the same context (it would get `FMC_ERROR_BUSY`), throw, or jump out.
 typedef int32_t (*fmc_place)(void *user, size_t n, const double *displacement, double *coords);
 
 // Results of a step.
@@ -2422,9 +2423,9 @@ fmc_status fmc_condensation_free(fmc_condensation **condensation);
 
 // Factorises a symmetric matrix, with `retained_count` of its equations, `retained`, for the end.
 //
-// `matrix`: all entries, or none above the diagonal. `retained` counts equations as the matrix does, by numbers as wide as its own, and
-// ascends. The other equations have to be positive definite: bodies are supported, or would be if the retained equations were fixed.
-// The symbolic factorisation is kept for the next matrix of the same pattern, which then takes less time.
+// `matrix`: all entries, or none above the diagonal. `retained` counts equations as the matrix does, with numbers of the same width,
+// and ascends. The other equations have to be positive definite: bodies are supported, or would be if the retained equations were
+// fixed. The symbolic factorisation is kept for the next matrix of the same pattern, which then takes less time.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_MISALIGNED_POINTER`, `FMC_ERROR_STRUCT_SIZE`, `FMC_ERROR_RESERVED_FIELD`,
 // `FMC_ERROR_INDEX_SIZE`, `FMC_ERROR_LENGTH`, `FMC_ERROR_DOF_OUT_OF_RANGE`, `FMC_ERROR_REPEATED_DOF`, `FMC_ERROR_NON_FINITE_STIFFNESS`,
@@ -2503,12 +2504,12 @@ typedef enum {
   FMC_NODE_SLIDING = 3,
 } fmc_node_status;
 
-// Where `fmc_context_nodal_contact` writes the contact at the nodes: arrays of the host, each NULL where it is not asked for. With
-// n nodes of the mesh `normal` and `friction` have room for n times `dim` numbers, in dense rows, all others for n.
+// Where `fmc_context_nodal_contact` writes the contact at the nodes: arrays of the host, each NULL if not requested. With n nodes
+// of the mesh `normal` and `friction` have room for n times `dim` numbers, in dense rows, all others for n.
 //
 // New fields take the place of reserved ones; the size of the struct does not change.
 typedef struct {
-  // Set by `fmc_nodal_contact_init`, so that a struct that was not initialised is recognised.
+  // Set by `fmc_nodal_contact_init`, so that the library recognises an uninitialised struct.
   size_t struct_size;
   // Contact pressure: the nodal force by the area on which it acts, |F| / int N dA.
   double *pressure;
@@ -2548,7 +2549,7 @@ typedef struct {
   // is of second order they are points of its division: row p of `fmc_context_point_weights` takes the force at point p
   // to the nodes.
   int64_t nodes[8];
-  // Values of their shape functions: a force at this end goes to the nodes, or points, by these parts.
+  // Values of their shape functions: a force at this end is distributed to the nodes, or points, with these factors.
   double weights[8];
   // The end; in 2D the last entry is 0.
   double position[3];
@@ -2650,7 +2651,7 @@ typedef struct {
   size_t partner;
   // Its tributary area.
   double area;
-  // Traction on its body, force by area; in 2D the last is 0.
+  // Traction on its body, force per area; in 2D the last is 0.
   double traction[3];
   // Mean separation of its body from the other one, a length; in 2D the last is 0.
   double jump[3];
@@ -2658,12 +2659,12 @@ typedef struct {
   uint64_t reserved[4];
 } fmc_tie_node;
 
-// Conductance h of a contact: flux by area and jump of the field, for heat W/(m^2 K). Tables are linear between their entries; each has
-// its own length.
+// Conductance h of a contact: flux per area and jump of the field, for heat W/(m^2 K). Tables are linear between their entries; each
+// has its own length.
 //
 // New fields take the place of reserved ones; the size of the struct does not change.
 typedef struct {
-  // Set by `fmc_conductance_init`, so that a struct that was not initialised is recognised.
+  // Set by `fmc_conductance_init`, so that the library recognises an uninitialised struct.
   size_t struct_size;
   // Number of entries by pressure, where surfaces touch; 1 for a constant, 0 for no flux.
   size_t pressure_count;
@@ -2724,15 +2725,15 @@ typedef struct {
   double opening;
   // Slip of `body` along the surface of `partner`, a length; in 2D the last is 0.
   double sliding[3];
-  // Traction on `partner`, force by area, along its outward normal in tension; in 2D the last is 0.
+  // Traction on `partner`, force per area, along its outward normal in tension; in 2D the last is 0.
   double traction[3];
   // Damage, 0 to 1, as it would be after a step that ends here.
   double damage;
-  // Energy by area that has been dissipated then.
+  // Energy per area that has been dissipated then.
   double dissipated;
-  // Energy by area that friction of the broken part has dissipated.
+  // Energy per area that friction of the broken part has dissipated.
   double rubbed;
-  // Energy by area that the viscosity has dissipated.
+  // Energy per area that the viscosity has dissipated.
   double viscous;
   // Zero.
   uint64_t reserved[3];
@@ -2754,9 +2755,9 @@ typedef struct {
   double axes[9];
   // Opening beyond the initial gap, and sliding, along these axes; in 2D the last is 0.
   double jump[3];
-  // Traction along these axes, force by area: positive along the normal in tension; in 2D the last is 0.
+  // Traction along these axes, force per area: positive along the normal in tension; in 2D the last is 0.
   double traction[3];
-  // Energy by area that unloading would give back, as the law returns it.
+  // Energy per area that unloading would give back, as the law returns it.
   double stored;
   // The same that has been dissipated.
   double dissipated;
@@ -2776,9 +2777,9 @@ typedef struct {
   // Its number among the facets that the context was made from, counted from `index_base` over all blocks; -1 where it was made
   // from cells.
   int64_t input_facet;
-  // Number of its face in the cell, as VTK counts them, from 0 whatever the base; -1 without cells. The corners of face 0, 1, ... by
-  // their place in the cell, in VTK's order: triangle 01, 12, 20. Quadrilateral 01, 12, 23, 30. Tetrahedron 013, 123, 203, 021.
-  // Hexahedron 0473, 1265, 0154, 3762, 0321, 4567. Wedge 012, 354, 0341, 1452, 2530. Pyramid 0321, 014, 124, 234, 304.
+  // Number of its face in the cell, as VTK counts them, always from 0; -1 without cells. The corners of face 0, 1, ... by their
+  // place in the cell, in VTK's order: triangle 01, 12, 20. Quadrilateral 01, 12, 23, 30. Tetrahedron 013, 123, 203, 021. Hexahedron
+  // 0473, 1265, 0154, 3762, 0321, 4567. Wedge 012, 354, 0341, 1452, 2530. Pyramid 0321, 014, 124, 234, 304.
   int32_t local_face;
   // Number of nodes of its face: 2 in 2D, 3 or 4 in 3D; on a face of second order, of the part in which the facet
   // lies.
@@ -2797,7 +2798,7 @@ typedef struct {
 //
 // New fields take the place of reserved ones; the size of the struct does not change.
 typedef struct {
-  // Set by `fmc_gradients_init`, so that a struct that was not initialised is recognised.
+  // Set by `fmc_gradients_init`, so that the library recognises an uninitialised struct.
   size_t struct_size;
   // By the coordinates: room for n * dim numbers.
   double *coords;
@@ -2854,7 +2855,7 @@ typedef struct {
 //
 // New fields take the place of reserved ones; the size of the struct does not change.
 typedef struct {
-  // Set by `fmc_directions_init`, so that a struct that was not initialised is recognised.
+  // Set by `fmc_directions_init`, so that the library recognises an uninitialised struct.
   size_t struct_size;
   // Of the coordinates: n * dim numbers.
   const double *coords;
@@ -2873,7 +2874,7 @@ typedef struct {
   const fmc_pair_gradient *pairs;
   // Number of structs.
   size_t pair_count;
-  // Of the elastic slip carried into the step: rows as `fmc_context_slip` writes them, of which the last number is not read.
+  // Of the elastic slip carried into the step: rows as `fmc_context_slip` writes them, whose last number is not read.
   const double *slip;
   // Number of entries.
   size_t slip_count;
@@ -3325,7 +3326,7 @@ fmc_status fmc_context_worn_depth(const fmc_context *context,
                                   size_t capacity,
                                   size_t *count);
 
-// Volume that every body has lost by wear, in 2D by unit of thickness, with axisymmetry the volume of rings. It is the integral of K p |s|
+// Volume that every body has lost by wear, in 2D per unit thickness, with axisymmetry the volume of rings. It is the integral of K p |s|
 // dA over all accepted steps.
 //
 // `count` becomes the number of bodies; `volumes` has room for `capacity`. NULL with capacity 0: only the number is
@@ -3339,7 +3340,7 @@ fmc_status fmc_context_worn_volumes(const fmc_context *context,
 
 // State of wear, for a restart: a row for every worn facet and each of the points that move it. A row is 4 numbers: facet, node,
 // depth against the normal of the facet, and volume. The facet is its place in `fmc_context_boundary_facets`. With cells of second
-// order the node is a point (`fmc_context_point_weights`). Both count from 0 whatever the base. Rows ascend by facet and point.
+// order the node is a point (`fmc_context_point_weights`). Both count always from 0. Rows ascend by facet and point.
 //
 // `count` becomes their number; `worn` has room for `capacity`. NULL with capacity 0: only the number is returned.
 //
@@ -3376,8 +3377,8 @@ fmc_status fmc_context_set_wear_cycles(fmc_context *context,
 // and the coordinates and poses at which the step began. Call `fmc_context_begin_step` there, then `fmc_context_set_slip`: the results
 // are bit-for-bit identical to the unbroken run.
 //
-// A row is 8 numbers. The first is the facet, by its place in `fmc_context_boundary_facets` from 0 whatever the base. Then follow
-// the kind of its partner, a value of `fmc_partner`, and the partner's index for `fmc_context_body_resultant` or
+// A row is 8 numbers. The first is the facet, by its place in `fmc_context_boundary_facets` always from 0. Then follow the kind of
+// its partner, a value of `fmc_partner`, and the partner's index for `fmc_context_body_resultant` or
 // `fmc_context_obstacle_resultant`; then 1 where the facet's body is the second side of that pair, else 0. The last four are the
 // slip of the facet, three lengths, in 2D the last 0, and the slip since it rested, with `static_coefficient`, else 0. Rows ascend
 // by facet, partner and side.
@@ -3424,8 +3425,8 @@ fmc_status fmc_context_set_friction_history(fmc_context *context,
                                             size_t count);
 
 // State of all points of cohesive interfaces after the accepted steps (`fmc_context_commit_step`), in the order of
-// `fmc_context_cohesive_points`. Each point has two numbers: its damage, 0 to 1, and its dissipated energy by area. A restart needs it
-// and the coordinates, and with friction or viscosity also `fmc_context_cohesive_history`.
+// `fmc_context_cohesive_points`. Each point has two numbers: its damage, 0 to 1, and its dissipated energy per area. A restart needs
+// it and the coordinates, and with friction or viscosity also `fmc_context_cohesive_history`.
 //
 // `count` becomes their number; `damage` has room for `capacity`. NULL with capacity 0: only the number is returned.
 //
@@ -3446,7 +3447,7 @@ fmc_status fmc_context_set_damage(fmc_context *context,
                                   size_t count);
 
 // Further state of these points, five numbers for each. Two are the slip of the broken part, as multiples of the two edges at the first
-// corner of the facet of `partner`. Two are the energies by area that friction and the viscosity have dissipated. The last is the
+// corner of the facet of `partner`. Two are the energies per area that friction and the viscosity have dissipated. The last is the
 // loading of the point when the step began, sqrt(Y / Y0), which corresponds to more than its damage while the viscosity delays damage.
 // All are 0 without friction and viscosity. A restart sets them with the damage.
 //
@@ -3537,7 +3538,7 @@ typedef int32_t (*fmc_all_to_all)(void *user,
 //
 // New fields take the place of reserved ones; the size of the struct does not change.
 typedef struct {
-  // Set by `fmc_communicator_init`, so that a struct that was not initialised is recognised.
+  // Set by `fmc_communicator_init`, so that the library recognises an uninitialised struct.
   size_t struct_size;
   // Number of this rank, from 0, and of all ranks, at least 1.
   int32_t rank;
@@ -3575,7 +3576,7 @@ typedef struct {
 // The cells of one rank, with their nodes. Every cell of the mesh is given by one rank, and only by that one; nodes between
 // ranks are given by all that have a cell there. A rank may have none. Initialise it with `fmc_mesh_part_init`, then set all fields.
 typedef struct {
-  // Set by `fmc_mesh_part_init`, so that a struct that was not initialised is recognised.
+  // Set by `fmc_mesh_part_init`, so that the library recognises an uninitialised struct.
   size_t struct_size;
   // Coordinates of the rank's own nodes without deformation.
   fmc_coords coords;
@@ -3605,7 +3606,7 @@ typedef struct {
 typedef struct {
   // Number of its cell in the whole mesh, counted from the option `index_base`.
   int64_t cell;
-  // Face of that cell, as VTK counts them, from 0 whatever the base.
+  // Face of that cell, as VTK counts them, always from 0.
   int32_t face;
   // Which of the facets of that face, from 0.
   int32_t part;
@@ -3767,7 +3768,7 @@ fmc_status fmc_context_free(fmc_context **context);
 //
 // The host keeps the slip that is carried into the next step, and discards the slip of a rejected step.
 typedef struct {
-  // Set by `fmc_friction_step_init`, so that a struct that was not initialised is recognised.
+  // Set by `fmc_friction_step_init`, so that the library recognises an uninitialised struct.
   size_t struct_size;
   // Coordinates at which the step began, (node_count, dim).
   const double *start;

@@ -64,7 +64,7 @@ pub enum fmc_status {
     FMC_ERROR_SIGNED_DISTANCE = 25,
     /// The spacing is too small for the bodies.
     FMC_ERROR_TOO_MANY_FIBERS = 26,
-    /// The threads could not be started, or more than 1024 were asked for.
+    /// The threads could not be started, or more than 1024 were requested.
     FMC_ERROR_THREADS = 27,
     /// The context is in use by another call: from another thread, or from a callback of this one.
     FMC_ERROR_BUSY = 28,
@@ -90,7 +90,7 @@ pub enum fmc_status {
     FMC_ERROR_TOO_MANY_PIECES = 38,
     /// Lines along the boundary of a signed-distance obstacle would need more steps than are taken.
     FMC_ERROR_UNFINISHED_LINES = 39,
-    /// Friction is asked for, but no step has begun: call `fmc_context_begin_step`.
+    /// Friction is on, but no step has begun: call `fmc_context_begin_step`.
     FMC_ERROR_NO_STEP = 40,
     /// An elastic slip is NaN or infinite.
     FMC_ERROR_NON_FINITE_SLIP = 41,
@@ -117,7 +117,7 @@ pub enum fmc_status {
     FMC_ERROR_COMMUNICATION = 51,
     /// The evaluation failed on another rank, which has the cause.
     FMC_ERROR_ON_OTHER_RANK = 52,
-    /// Ranks that share the work of a context were given different coordinates, options or obstacles, or asked for different things.
+    /// Ranks that share the work of a context were given different coordinates, options or obstacles, or made different calls.
     FMC_ERROR_RANKS_DIFFER = 53,
     /// Coordinates at which a part of a mesh that was not gathered may be in contact.
     FMC_ERROR_NOT_GATHERED = 54,

@@ -29,8 +29,8 @@ pub type fmc_log_callback = Option<unsafe extern "C" fn(user: *mut c_void, level
 
 /// Facets, search trees and obstacles of a mesh in contact, and the results of the last evaluation. Opaque.
 ///
-/// Contexts share nothing, so different ones may be used by different threads at once. One context may be used by one
-/// thread after another. Concurrent calls on it, from two threads or from inside a callback, return `FMC_ERROR_BUSY`.
+/// Contexts share nothing, so different threads may use different contexts at once. Threads may use one context one
+/// after another. Concurrent calls on it, from two threads or from inside a callback, return `FMC_ERROR_BUSY`.
 pub struct fmc_context {
     state: RwLock<State>,
 }

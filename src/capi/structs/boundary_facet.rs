@@ -16,9 +16,9 @@ pub struct fmc_boundary_facet {
     /// Its number among the facets that the context was made from, counted from `index_base` over all blocks; -1 where it was made
     /// from cells.
     pub input_facet: i64,
-    /// Number of its face in the cell, as VTK counts them, from 0 whatever the base; -1 without cells. The corners of face 0, 1, ... by
-    /// their place in the cell, in VTK's order: triangle 01, 12, 20. Quadrilateral 01, 12, 23, 30. Tetrahedron 013, 123, 203, 021.
-    /// Hexahedron 0473, 1265, 0154, 3762, 0321, 4567. Wedge 012, 354, 0341, 1452, 2530. Pyramid 0321, 014, 124, 234, 304.
+    /// Number of its face in the cell, as VTK counts them, always from 0; -1 without cells. The corners of face 0, 1, ... by their
+    /// place in the cell, in VTK's order: triangle 01, 12, 20. Quadrilateral 01, 12, 23, 30. Tetrahedron 013, 123, 203, 021. Hexahedron
+    /// 0473, 1265, 0154, 3762, 0321, 4567. Wedge 012, 354, 0341, 1452, 2530. Pyramid 0321, 014, 124, 234, 304.
     pub local_face: i32,
     /// Number of nodes of its face: 2 in 2D, 3 or 4 in 3D; on a face of second order, of the part in which the facet
     /// lies.

@@ -49,15 +49,15 @@ pub struct fmc_cohesive_point {
     pub opening: f64,
     /// Slip of `body` along the surface of `partner`, a length; in 2D the last is 0.
     pub sliding: [f64; 3],
-    /// Traction on `partner`, force by area, along its outward normal in tension; in 2D the last is 0.
+    /// Traction on `partner`, force per area, along its outward normal in tension; in 2D the last is 0.
     pub traction: [f64; 3],
     /// Damage, 0 to 1, as it would be after a step that ends here.
     pub damage: f64,
-    /// Energy by area that has been dissipated then.
+    /// Energy per area that has been dissipated then.
     pub dissipated: f64,
-    /// Energy by area that friction of the broken part has dissipated.
+    /// Energy per area that friction of the broken part has dissipated.
     pub rubbed: f64,
-    /// Energy by area that the viscosity has dissipated.
+    /// Energy per area that the viscosity has dissipated.
     pub viscous: f64,
     /// Zero.
     pub reserved: [u64; 3],

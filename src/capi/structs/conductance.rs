@@ -5,14 +5,14 @@ use crate::capi::boundary::given_struct::check_struct;
 use crate::capi::boundary::pointer::slice;
 use crate::contact::Conductance;
 
-/// Conductance h of a contact: flux by area and jump of the field, for heat W/(m^2 K). Tables are linear between their entries; each has
-/// its own length.
+/// Conductance h of a contact: flux per area and jump of the field, for heat W/(m^2 K). Tables are linear between their entries; each
+/// has its own length.
 ///
 /// New fields take the place of reserved ones; the size of the struct does not change.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct fmc_conductance {
-    /// Set by `fmc_conductance_init`, so that a struct that was not initialised is recognised.
+    /// Set by `fmc_conductance_init`, so that the library recognises an uninitialised struct.
     pub struct_size: usize,
     /// Number of entries by pressure, where surfaces touch; 1 for a constant, 0 for no flux.
     pub pressure_count: usize,

@@ -20,7 +20,7 @@ pub struct fmc_contact_side {
     /// is of second order they are points of its division: row p of `fmc_context_point_weights` takes the force at point p
     /// to the nodes.
     pub nodes: [i64; 8],
-    /// Values of their shape functions: a force at this end goes to the nodes, or points, by these parts.
+    /// Values of their shape functions: a force at this end is distributed to the nodes, or points, with these factors.
     pub weights: [f64; 8],
     /// The end; in 2D the last entry is 0.
     pub position: [f64; 3],

@@ -16,7 +16,7 @@ use std::ptr::null;
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct fmc_csr {
-    /// Set by `fmc_csr_init`, so that a struct that was not initialised is recognised.
+    /// Set by `fmc_csr_init`, so that the library recognises an uninitialised struct.
     pub struct_size: usize,
     /// Number of rows.
     pub row_count: usize,

@@ -17,7 +17,7 @@ use crate::contact::{FacetSlip, PairGradient};
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct fmc_directions {
-    /// Set by `fmc_directions_init`, so that a struct that was not initialised is recognised.
+    /// Set by `fmc_directions_init`, so that the library recognises an uninitialised struct.
     pub struct_size: usize,
     /// Of the coordinates: n * dim numbers.
     pub coords: *const f64,
@@ -36,7 +36,7 @@ pub struct fmc_directions {
     pub pairs: *const fmc_pair_gradient,
     /// Number of structs.
     pub pair_count: usize,
-    /// Of the elastic slip carried into the step: rows as `fmc_context_slip` writes them, of which the last number is not read.
+    /// Of the elastic slip carried into the step: rows as `fmc_context_slip` writes them, whose last number is not read.
     pub slip: *const f64,
     /// Number of entries.
     pub slip_count: usize,

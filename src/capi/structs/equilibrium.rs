@@ -18,7 +18,7 @@ const SYMMETRIC: u32 = 32;
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct fmc_equilibrium_problem {
-    /// Set by `fmc_equilibrium_problem_init`, so that a struct that was not initialised is recognised.
+    /// Set by `fmc_equilibrium_problem_init`, so that the library recognises an uninitialised struct.
     pub struct_size: usize,
     /// Number of unknowns, free or not.
     pub unknown_count: usize,
@@ -105,13 +105,13 @@ impl fmc_equilibrium_problem {
     }
 }
 
-/// When a search ends, and how. Initialise it with `fmc_equilibrium_options_init`; nothing has to be chosen.
+/// Tolerances and limits of a search. Initialise it with `fmc_equilibrium_options_init`; the defaults suffice.
 ///
 /// New fields take the place of reserved ones; the size of the struct does not change.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct fmc_equilibrium_options {
-    /// Set by `fmc_equilibrium_options_init`, so that a struct that was not initialised is recognised.
+    /// Set by `fmc_equilibrium_options_init`, so that the library recognises an uninitialised struct.
     pub struct_size: usize,
     /// Relative residual: its norm at free unknowns / norm of the forces of the bodies or of the contact, whichever is larger. Default
     /// 1e-9.
@@ -251,12 +251,12 @@ pub struct fmc_equilibrium_request {
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct fmc_equilibrium_answer {
-    /// Set by `fmc_equilibrium_answer_init`, so that a struct that was not initialised is recognised.
+    /// Set by `fmc_equilibrium_answer_init`, so that the library recognises an uninitialised struct.
     pub struct_size: usize,
-    /// The requested vector, `unknown_count` numbers. NULL: there is none, for example with an inverted cell or a singular
-    /// matrix.
+    /// The requested vector, `unknown_count` numbers. NULL: it does not exist, for example with an inverted cell or a
+    /// singular matrix.
     pub vector: *const f64,
-    /// Why there is none, or NULL.
+    /// Reason why it does not exist, or NULL.
     pub refusal: *const c_char,
     /// With forces: strain energy minus the work of loads, or NULL where the host does not know it.
     pub energy: *const f64,

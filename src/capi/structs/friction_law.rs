@@ -33,7 +33,7 @@ pub struct fmc_friction_facets {
     pub unused: i32,
     /// Duration of the step (`fmc_context_set_time_step`); 0: not set.
     pub time_step: f64,
-    /// Stiffness k_T of the stick, a pressure by length; 0: friction without memory.
+    /// Stiffness k_T of the stick, a pressure per length; 0: friction without memory.
     pub stiffness: f64,
     /// Places of the facets in `fmc_context_boundary_facets`, from 0, (count).
     pub facet: *const usize,
@@ -70,11 +70,12 @@ pub struct fmc_friction_facets {
 pub struct fmc_friction_response {
     /// Size of this struct, as the library wrote it.
     pub struct_size: usize,
-    /// Tractions at which the facets slide, force by area, at least 0, (count). An unwritten entry counts as not finite.
+    /// Tractions at which the facets slide, force per area, at least 0, (count). An unwritten entry counts as not
+    /// finite.
     pub limit: *mut f64,
     /// Their derivatives by the pressure, with slip, history and time step held, (count). An unwritten entry counts as not finite.
     pub by_pressure: *mut f64,
-    /// Their derivatives by the slip, the trial going along with it, (count, dim - 1). 0 at first.
+    /// Their derivatives by the slip, with the trial slip changing by the same amount, (count, dim - 1). 0 at first.
     pub by_slip: *mut f64,
     /// The history as it would be after a step that ends here, (count, history_count). It is preset to the history at
     /// the start of the step.
@@ -103,7 +104,7 @@ pub type fmc_limit_friction = Option<
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct fmc_friction_law {
-    /// Set by `fmc_friction_law_init`, so that a struct that was not initialised is recognised.
+    /// Set by `fmc_friction_law_init`, so that the library recognises an uninitialised struct.
     pub struct_size: usize,
     /// Numbers that a facet carries from step to step for each partner that it faces. Default 0.
     pub history_count: usize,

@@ -24,7 +24,7 @@ pub const FMC_GRADIENT_FRICTION: u32 = 4;
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct fmc_gradients {
-    /// Set by `fmc_gradients_init`, so that a struct that was not initialised is recognised.
+    /// Set by `fmc_gradients_init`, so that the library recognises an uninitialised struct.
     pub struct_size: usize,
     /// By the coordinates: room for n * dim numbers.
     pub coords: *mut f64,

@@ -13,7 +13,7 @@ use crate::{CarriedSlip, GatheredCounts, PartitionedContact};
 pub struct fmc_carried_slip {
     /// Number of its cell in the whole mesh, counted from the option `index_base`.
     pub cell: i64,
-    /// Face of that cell, as VTK counts them, from 0 whatever the base.
+    /// Face of that cell, as VTK counts them, always from 0.
     pub face: i32,
     /// Which of the facets of that face, from 0.
     pub part: i32,

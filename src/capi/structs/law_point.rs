@@ -20,9 +20,9 @@ pub struct fmc_law_point {
     pub axes: [f64; 9],
     /// Opening beyond the initial gap, and sliding, along these axes; in 2D the last is 0.
     pub jump: [f64; 3],
-    /// Traction along these axes, force by area: positive along the normal in tension; in 2D the last is 0.
+    /// Traction along these axes, force per area: positive along the normal in tension; in 2D the last is 0.
     pub traction: [f64; 3],
-    /// Energy by area that unloading would give back, as the law returns it.
+    /// Energy per area that unloading would give back, as the law returns it.
     pub stored: f64,
     /// The same that has been dissipated.
     pub dissipated: f64,

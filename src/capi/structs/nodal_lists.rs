@@ -18,14 +18,14 @@ pub enum fmc_node_status {
     FMC_NODE_SLIDING = 3,
 }
 
-/// Where `fmc_context_nodal_contact` writes the contact at the nodes: arrays of the host, each NULL where it is not asked for. With
-/// n nodes of the mesh `normal` and `friction` have room for n times `dim` numbers, in dense rows, all others for n.
+/// Where `fmc_context_nodal_contact` writes the contact at the nodes: arrays of the host, each NULL if not requested. With n nodes
+/// of the mesh `normal` and `friction` have room for n times `dim` numbers, in dense rows, all others for n.
 ///
 /// New fields take the place of reserved ones; the size of the struct does not change.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct fmc_nodal_contact {
-    /// Set by `fmc_nodal_contact_init`, so that a struct that was not initialised is recognised.
+    /// Set by `fmc_nodal_contact_init`, so that the library recognises an uninitialised struct.
     pub struct_size: usize,
     /// Contact pressure: the nodal force by the area on which it acts, |F| / int N dA.
     pub pressure: *mut f64,

@@ -43,11 +43,11 @@ pub enum fmc_weights {
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct fmc_options {
-    /// Set by `fmc_options_init`, so that a struct that was not initialised is recognised.
+    /// Set by `fmc_options_init`, so that the library recognises an uninitialised struct.
     pub struct_size: usize,
-    /// k > 0. 0, the default, with the laws "depth" and "fiber": `fmc_equilibrium_next` finds it from the bodies' matrix; until then
-    /// nothing can be evaluated (`FMC_ERROR_NO_STIFFNESS`). For the laws "depth" and "fiber" a pressure per length (Pa/m): the pressure is
-    /// k times the penetration; see `fmc_suggest_stiffness`. For the law "volume" with `exponent` 1 it is a pressure (Pa) in 2D and 3D, and
+    /// k > 0. 0, the default, with the laws "depth" and "fiber": `fmc_equilibrium_next` finds it from the bodies' matrix; until then no
+    /// evaluation is possible (`FMC_ERROR_NO_STIFFNESS`). For the laws "depth" and "fiber" a pressure per length (Pa/m): the pressure is k
+    /// times the penetration; see `fmc_suggest_stiffness`. For the law "volume" with `exponent` 1 it is a pressure (Pa) in 2D and 3D, and
     /// must exceed the peak contact pressure; in general energy / (length^dim)^m.
     pub stiffness: f64,
     /// m >= 1, for the law "volume" only. Default 1.

@@ -58,8 +58,8 @@ pub struct fmc_law_points {
 pub struct fmc_law_response {
     /// Size of this struct, as the library wrote it.
     pub struct_size: usize,
-    /// Force by area without deformation along the axes, (count, dim): positive where it resists a positive jump. An unwritten entry
-    /// counts as not finite.
+    /// Force per area without deformation along the axes, (count, dim): positive where it resists a positive jump. An unwritten
+    /// entry counts as not finite.
     pub traction: *mut f64,
     /// Its derivative by the jump, with history and time step held, (count, dim, dim), row by row: entry (i, j) is the derivative of
     /// traction i by jump j. It need not be symmetric. An unwritten entry counts as not finite.
@@ -67,7 +67,7 @@ pub struct fmc_law_response {
     /// The history as it would be after a step that ends here, (count, history_count). It is preset to the history at
     /// the start of the step.
     pub history: *mut f64,
-    /// Energy by area that unloading would give back, (count); 0 at first. Only reported energies depend on it.
+    /// Energy per area that unloading would give back, (count); 0 at first. Only reported energies depend on it.
     pub stored: *mut f64,
     /// The same that has been dissipated since the beginning.
     pub dissipated: *mut f64,
@@ -92,7 +92,7 @@ pub type fmc_respond = Option<
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct fmc_own_law {
-    /// Set by `fmc_own_law_init`, so that a struct that was not initialised is recognised.
+    /// Set by `fmc_own_law_init`, so that the library recognises an uninitialised struct.
     pub struct_size: usize,
     /// Numbers that a point carries from step to step. Default 0.
     pub history_count: usize,

@@ -9,8 +9,8 @@ use std::ffi::c_void;
 /// displacement added on the list. Move the nodes that follow, and none on the list. `user` is the pointer given with the
 /// function.
 ///
-/// Return 0; any other value makes the step fail with `FMC_ERROR_PLACE`. It is called on the thread that asked for the step. It must
-/// not call a function of the same context (it would get `FMC_ERROR_BUSY`), throw, or jump out.
+/// Return 0; any other value makes the step fail with `FMC_ERROR_PLACE`. It is called on the thread that called for the step. It
+/// must not call a function of the same context (it would get `FMC_ERROR_BUSY`), throw, or jump out.
 pub type fmc_place =
     Option<unsafe extern "C" fn(user: *mut c_void, n: usize, displacement: *const f64, coords: *mut f64) -> i32>;
 

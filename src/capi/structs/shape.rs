@@ -25,7 +25,7 @@ const NESTED: usize = 8;
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct fmc_shape {
-    /// Set by `fmc_shape_init`, so that a struct that was not initialised is recognised.
+    /// Set by `fmc_shape_init`, so that the library recognises an uninitialised struct.
     pub struct_size: usize,
     /// A value of `fmc_shape_kind`.
     pub kind: i32,

@@ -36,7 +36,7 @@ pub struct fmc_tie_node {
     pub partner: usize,
     /// Its tributary area.
     pub area: f64,
-    /// Traction on its body, force by area; in 2D the last is 0.
+    /// Traction on its body, force per area; in 2D the last is 0.
     pub traction: [f64; 3],
     /// Mean separation of its body from the other one, a length; in 2D the last is 0.
     pub jump: [f64; 3],

@@ -17,7 +17,7 @@ use std::ptr::{null, null_mut};
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct fmc_friction_step {
-    /// Set by `fmc_friction_step_init`, so that a struct that was not initialised is recognised.
+    /// Set by `fmc_friction_step_init`, so that the library recognises an uninitialised struct.
     pub struct_size: usize,
     /// Coordinates at which the step began, (node_count, dim).
     pub start: *const f64,

@@ -61,10 +61,10 @@ where
 
 /// Makes a context from the cells of a mesh, in one block for each type; the boundary facets are found from them.
 ///
-/// `dim` is 2 or 3. `coords` are the coordinates of all nodes of the host, used or not: forces are returned for all of
-/// them. Cells may be numbered in either orientation. `body_ids`, one for every cell counted over the blocks, as wide as node
-/// numbers, say which body a cell belongs to; NULL: bodies are the connected components by faces. Everything is read during the call and
-/// not kept (topology is copied). `options`, with `stiffness` set, must have been initialised.
+/// `dim` is 2 or 3. `coords` are the coordinates of all nodes of the host, used or not: forces are returned for all of them. Cells may
+/// be numbered in either orientation. `body_ids`, one for every cell counted over the blocks, of the same width as node numbers, say
+/// which body a cell belongs to; NULL: bodies are the connected components by faces. Everything is read during the call and not kept
+/// (topology is copied). `options`, with `stiffness` set, must have been initialised.
 ///
 /// `context` receives the new context, to be freed by `fmc_context_free`.
 ///

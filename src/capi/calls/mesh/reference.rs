@@ -12,8 +12,8 @@ use std::ffi::c_void;
 /// they are the coordinates at which the context was created.
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_UNSUPPORTED` for a surface without cells, `FMC_ERROR_LENGTH`,
-/// `FMC_ERROR_NON_FINITE_COORDINATE`, `FMC_ERROR_INVERTED_CELL`, `FMC_ERROR_ZERO_MEASURE`; the old coordinates then stay. Threads:
-/// one call at a time on a context.
+/// `FMC_ERROR_NON_FINITE_COORDINATE`, `FMC_ERROR_INVERTED_CELL`, `FMC_ERROR_ZERO_MEASURE`; the old coordinates are then kept.
+/// Threads: one call at a time on a context.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_set_reference(context: *mut fmc_context, coords: *const fmc_coords) -> fmc_status {
     entry(|| {

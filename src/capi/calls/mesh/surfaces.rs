@@ -8,9 +8,9 @@ use crate::capi::context::state::{fmc_context, write};
 
 /// Names a part of the surface, so that options of a pair can refer to it (`surface_a`, `surface_b`).
 ///
-/// `facets` are `count` facets, each by its place in `fmc_context_boundary_facets` from 0 whatever the base, in any order; of a
-/// quadrilateral face all four, of one of second order all its parts. They may belong to several bodies. `surface` becomes the number of
-/// the part: 1, 2, ... It does not depend on the reference coordinates.
+/// `facets` are `count` facets, each by its place in `fmc_context_boundary_facets` always from 0, in any order; of a quadrilateral face
+/// all four, of one of second order all its parts. They may belong to several bodies. `surface` becomes the number of the part: 1, 2,
+/// ... It does not depend on the reference coordinates.
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`; `FMC_ERROR_BAD_VALUE` for a facet that does not exist, naming its entry; `FMC_ERROR_UNSUPPORTED`
 /// without facets and for a mesh in parts, `FMC_ERROR_BUSY`. Nothing changes then. Threads: one call at a time on a context.

@@ -7,7 +7,7 @@ use crate::capi::context::session::in_either;
 use crate::capi::context::state::{fmc_context, read, write};
 use crate::capi::structs::pose::fmc_pose;
 
-/// Kind of an obstacle's shape, a value of `fmc_shape_kind`, and its pose as it stands. Either output may be NULL.
+/// Kind of an obstacle's shape, a value of `fmc_shape_kind`, and its current pose. Either output may be NULL.
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_OBSTACLE_OUT_OF_RANGE`, `FMC_ERROR_OBSTACLE_REMOVED`, `FMC_ERROR_BUSY`.
 /// Threads: several at once on one context, as long as no call changes it.

@@ -65,7 +65,7 @@ pub unsafe extern "C" fn fmc_friction_law_check(
 
 /// Sets the options of a pair (two bodies, a body and an obstacle, or a body with itself) as `fmc_context_set_pair_options` does, and its
 /// law of sliding, which replaces coefficient, cohesion and shear limit. The history of the law begins with zeros.
-/// `fmc_context_set_pair_options` takes the law back. As with any friction the tangent is unsymmetric, and a step must have begun.
+/// `fmc_context_set_pair_options` removes the law. As with any friction the tangent is unsymmetric, and a step must have begun.
 ///
 /// Errors: as `fmc_context_set_pair_options`; the errors of `fmc_friction_law_check` for an invalid struct; `FMC_ERROR_UNSUPPORTED` with a
 /// coefficient of friction or a wear coefficient of the pair, with another interface than contact, and for a mesh in parts. The earlier

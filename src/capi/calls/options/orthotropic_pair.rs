@@ -19,7 +19,7 @@ use crate::contact::{OrthotropicFriction, PairOptions};
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct fmc_orthotropic_friction {
-    /// Set by `fmc_orthotropic_friction_init`, so that a struct that was not initialised is recognised.
+    /// Set by `fmc_orthotropic_friction_init`, so that the library recognises an uninitialised struct.
     pub struct_size: usize,
     /// Coefficient m2 across the direction, at least 0 and finite. Default 0.
     pub transverse_coefficient: f64,

@@ -26,7 +26,7 @@ pub const FMC_PAIR_FRICTION_OF_CONTEXT: i32 = -1;
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct fmc_pair_options {
-    /// Set by `fmc_pair_options_init`, so that a struct that was not initialised is recognised.
+    /// Set by `fmc_pair_options_init`, so that the library recognises an uninitialised struct.
     pub struct_size: usize,
     /// k > 0 of the law of this pair, in the units of `stiffness` in `fmc_options`; only with `law`, and then without a default. With
     /// `FMC_INTERFACE_COHESIVE`, and without `law`: traction / opening without damage, and in compression. 0: damage begins at a hundredth
@@ -70,7 +70,7 @@ pub struct fmc_pair_options {
     pub normal_strength: f64,
     /// The same in pure sliding; 0, the default: as in opening.
     pub shear_strength: f64,
-    /// Energy by area that pure opening takes until the interface is broken, positive.
+    /// Energy per area that pure opening takes until the interface is broken, positive.
     pub normal_energy: f64,
     /// The same in pure sliding; 0, the default: as in opening.
     pub shear_energy: f64,
@@ -131,10 +131,10 @@ pub unsafe extern "C" fn fmc_pair_options_init(options: *mut fmc_pair_options) -
     })
 }
 
-/// Sets the options of a pair: a body with another, with itself, or with an obstacle, in either order. They apply from
-/// the next evaluation on; `options` NULL: the pair follows the context's again, as every pair does at first. Friction of the pair is then
-/// the same in all directions; for another, call `fmc_context_set_orthotropic_pair` instead. The wear coefficients of the pair are kept;
-/// with NULL they are removed.
+/// Sets the options of a pair: a body with another, with itself, or with an obstacle, in either order. They apply from the next evaluation
+/// on; `options` NULL: the pair follows the options of the context again, as every pair does at first. Friction of the pair is then the
+/// same in all directions; for another, call `fmc_context_set_orthotropic_pair` instead. The wear coefficients of the pair are kept; with
+/// NULL they are removed.
 ///
 /// `a_kind` and `b_kind` are values of `fmc_partner`; `a` and `b` count bodies as `fmc_context_body_resultant` and obstacles as
 /// `fmc_context_obstacle_resultant`. For a body with itself these options decide in place of the context's `self_contact` whether

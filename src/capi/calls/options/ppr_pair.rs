@@ -15,7 +15,7 @@ use crate::contact::{Cohesive, Interface, PairOptions, Ppr, Softening};
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct fmc_ppr {
-    /// Set by `fmc_ppr_init`, so that a struct that was not initialised is recognised.
+    /// Set by `fmc_ppr_init`, so that the library recognises an uninitialised struct.
     pub struct_size: usize,
     /// Shape alpha of softening in opening, above 1: below 2 the traction falls late, about 2 along a line, above it early with a long
     /// tail. Default 2.

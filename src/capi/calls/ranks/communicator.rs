@@ -42,7 +42,7 @@ pub type fmc_all_to_all = Option<
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct fmc_communicator {
-    /// Set by `fmc_communicator_init`, so that a struct that was not initialised is recognised.
+    /// Set by `fmc_communicator_init`, so that the library recognises an uninitialised struct.
     pub struct_size: usize,
     /// Number of this rank, from 0, and of all ranks, at least 1.
     pub rank: i32,

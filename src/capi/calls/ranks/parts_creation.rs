@@ -25,7 +25,7 @@ use std::ptr::null;
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct fmc_mesh_part {
-    /// Set by `fmc_mesh_part_init`, so that a struct that was not initialised is recognised.
+    /// Set by `fmc_mesh_part_init`, so that the library recognises an uninitialised struct.
     pub struct_size: usize,
     /// Coordinates of the rank's own nodes without deformation.
     pub coords: fmc_coords,

@@ -73,9 +73,9 @@ pub unsafe extern "C" fn fmc_condensation_free(condensation: *mut *mut fmc_conde
 
 /// Factorises a symmetric matrix, with `retained_count` of its equations, `retained`, for the end.
 ///
-/// `matrix`: all entries, or none above the diagonal. `retained` counts equations as the matrix does, by numbers as wide as its own, and
-/// ascends. The other equations have to be positive definite: bodies are supported, or would be if the retained equations were fixed.
-/// The symbolic factorisation is kept for the next matrix of the same pattern, which then takes less time.
+/// `matrix`: all entries, or none above the diagonal. `retained` counts equations as the matrix does, with numbers of the same width,
+/// and ascends. The other equations have to be positive definite: bodies are supported, or would be if the retained equations were
+/// fixed. The symbolic factorisation is kept for the next matrix of the same pattern, which then takes less time.
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_MISALIGNED_POINTER`, `FMC_ERROR_STRUCT_SIZE`, `FMC_ERROR_RESERVED_FIELD`,
 /// `FMC_ERROR_INDEX_SIZE`, `FMC_ERROR_LENGTH`, `FMC_ERROR_DOF_OUT_OF_RANGE`, `FMC_ERROR_REPEATED_DOF`, `FMC_ERROR_NON_FINITE_STIFFNESS`,

@@ -21,7 +21,7 @@ use std::ffi::c_void;
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct fmc_contact_step_options {
-    /// Set by `fmc_contact_step_options_init`, so that a struct that was not initialised is recognised.
+    /// Set by `fmc_contact_step_options_init`, so that the library recognises an uninitialised struct.
     pub struct_size: usize,
     /// Relative residual at which a step has converged. The reference is the norm of the given residual or of the contact
     /// forces on the list, whichever is larger. Default 1e-10.

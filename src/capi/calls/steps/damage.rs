@@ -8,8 +8,8 @@ use crate::capi::context::session::in_either;
 use crate::capi::context::state::{fmc_context, read, write};
 
 /// State of all points of cohesive interfaces after the accepted steps (`fmc_context_commit_step`), in the order of
-/// `fmc_context_cohesive_points`. Each point has two numbers: its damage, 0 to 1, and its dissipated energy by area. A restart needs it
-/// and the coordinates, and with friction or viscosity also `fmc_context_cohesive_history`.
+/// `fmc_context_cohesive_points`. Each point has two numbers: its damage, 0 to 1, and its dissipated energy per area. A restart needs
+/// it and the coordinates, and with friction or viscosity also `fmc_context_cohesive_history`.
 ///
 /// `count` becomes their number; `damage` has room for `capacity`. NULL with capacity 0: only the number is returned.
 ///
@@ -55,7 +55,7 @@ pub unsafe extern "C" fn fmc_context_set_damage(
 }
 
 /// Further state of these points, five numbers for each. Two are the slip of the broken part, as multiples of the two edges at the first
-/// corner of the facet of `partner`. Two are the energies by area that friction and the viscosity have dissipated. The last is the
+/// corner of the facet of `partner`. Two are the energies per area that friction and the viscosity have dissipated. The last is the
 /// loading of the point when the step began, sqrt(Y / Y0), which corresponds to more than its damage while the viscosity delays damage.
 /// All are 0 without friction and viscosity. A restart sets them with the damage.
 ///

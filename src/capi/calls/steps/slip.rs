@@ -11,8 +11,8 @@ use crate::capi::context::state::{fmc_context, read, write};
 /// and the coordinates and poses at which the step began. Call `fmc_context_begin_step` there, then `fmc_context_set_slip`: the results
 /// are bit-for-bit identical to the unbroken run.
 ///
-/// A row is 8 numbers. The first is the facet, by its place in `fmc_context_boundary_facets` from 0 whatever the base. Then follow
-/// the kind of its partner, a value of `fmc_partner`, and the partner's index for `fmc_context_body_resultant` or
+/// A row is 8 numbers. The first is the facet, by its place in `fmc_context_boundary_facets` always from 0. Then follow the kind of
+/// its partner, a value of `fmc_partner`, and the partner's index for `fmc_context_body_resultant` or
 /// `fmc_context_obstacle_resultant`; then 1 where the facet's body is the second side of that pair, else 0. The last four are the
 /// slip of the facet, three lengths, in 2D the last 0, and the slip since it rested, with `static_coefficient`, else 0. Rows ascend
 /// by facet, partner and side.

@@ -94,7 +94,7 @@ pub unsafe extern "C" fn fmc_context_worn_depth(
     })
 }
 
-/// Volume that every body has lost by wear, in 2D by unit of thickness, with axisymmetry the volume of rings. It is the integral of K p |s|
+/// Volume that every body has lost by wear, in 2D per unit thickness, with axisymmetry the volume of rings. It is the integral of K p |s|
 /// dA over all accepted steps.
 ///
 /// `count` becomes the number of bodies; `volumes` has room for `capacity`. NULL with capacity 0: only the number is
@@ -120,7 +120,7 @@ pub unsafe extern "C" fn fmc_context_worn_volumes(
 
 /// State of wear, for a restart: a row for every worn facet and each of the points that move it. A row is 4 numbers: facet, node,
 /// depth against the normal of the facet, and volume. The facet is its place in `fmc_context_boundary_facets`. With cells of second
-/// order the node is a point (`fmc_context_point_weights`). Both count from 0 whatever the base. Rows ascend by facet and point.
+/// order the node is a point (`fmc_context_point_weights`). Both count always from 0. Rows ascend by facet and point.
 ///
 /// `count` becomes their number; `worn` has room for `capacity`. NULL with capacity 0: only the number is returned.
 ///
