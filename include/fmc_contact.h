@@ -175,11 +175,11 @@ typedef enum {
   FMC_ERROR_RANKS_DIFFER = 53,
   // Coordinates at which a part of a mesh that was not gathered may be in contact.
   FMC_ERROR_NOT_GATHERED = 54,
-  // The stiffness of bodies is not positive definite: they are not held, or buckle.
+  // The stiffness of bodies is not positive definite: they are unsupported, or buckle.
   FMC_ERROR_NOT_POSITIVE_DEFINITE = 55,
   // A matrix that has to be symmetric is not.
   FMC_ERROR_UNSYMMETRIC = 56,
-  // There are no factors of a matrix: none was given, or the last one had none.
+  // There are no factors of a matrix: none was given, or the last one could not be factorised.
   FMC_ERROR_NOT_FACTORISED = 57,
   // An `index_size` other than 4 and 8, or two of one call that differ.
   FMC_ERROR_INDEX_SIZE = 58,
@@ -195,13 +195,13 @@ typedef enum {
   FMC_ERROR_NO_STIFFNESS = 63,
   // The call was ended by the host (`fmc_context_set_interrupt`).
   FMC_ERROR_INTERRUPTED = 64,
-  // Memory that the call needs for large arrays cannot be had. Memory that runs out for small ones, or that a system grants and does
-  // not have, ends the process.
+  // Memory for large arrays could not be allocated. If memory runs out for small ones, or the system has overcommitted it, the
+  // process ends.
   FMC_ERROR_MEMORY = 65,
-  // Two bodies are tied, and face one another nowhere within reach.
+  // Two tied bodies face one another nowhere within reach.
   FMC_ERROR_UNTIED = 66,
-  // The law of the host on an interface or of friction failed, or left a number that is not finite; or its derivative is none
-  // (`fmc_own_law_check`, `fmc_friction_law_check`).
+  // The law of the host on an interface or of friction failed, or wrote a number that is not finite; or its derivative is
+  // wrong (`fmc_own_law_check`, `fmc_friction_law_check`).
   FMC_ERROR_INTERFACE_LAW = 67,
 } fmc_status;
 
@@ -209,15 +209,15 @@ typedef enum {
 typedef enum {
   // Success.
   FMC_CLASS_OK = 0,
-  // An argument, an option or an array is wrong: mend the call. Trying again does not help.
+  // An argument, an option or an array is wrong: correct the call. A retry does not help.
   FMC_CLASS_INPUT = 1,
-  // The mesh or a shape is wrong, or became so as it deformed: mend it, or take a shorter step.
+  // The mesh or a shape is invalid, or became invalid as it deformed: correct it, or take a shorter step.
   FMC_CLASS_GEOMETRY = 2,
-  // Numbers ran away, or a matrix cannot be factorised: take a shorter step, or hold the bodies.
+  // The solution diverged, or a matrix cannot be factorised: take a shorter step, or support the bodies.
   FMC_CLASS_NUMERICAL = 3,
-  // More threads, lines, pieces or steps than there is room for: ask for less.
+  // More threads, lines, pieces or steps than possible: reduce the request.
   FMC_CLASS_RESOURCE = 4,
-  // Calls in an order, or on ranks, that do not go together.
+  // Calls in the wrong order, or ranks that do not match.
   FMC_CLASS_PROTOCOL = 5,
   // A defect of this library.
   FMC_CLASS_INTERNAL = 6,
@@ -228,8 +228,8 @@ typedef enum {
 // The text is constant and never freed. Threads: any.
 const char *fmc_status_name(int32_t status);
 
-// Class of a status, a value of `fmc_status_class_value`; `FMC_CLASS_INTERNAL` for a number that is no status. A host that
-// branches on classes tolerates statuses of later versions of the library. Threads: any.
+// Class of a status, a value of `fmc_status_class_value`; `FMC_CLASS_INTERNAL` for a number that is not a status. A host
+// that branches on classes tolerates statuses of later versions of the library. Threads: any.
 int32_t fmc_status_class(int32_t status);
 
 // Text of the last call that failed on this thread, "" if none did; never NULL. It names the offending indices.
@@ -365,7 +365,7 @@ typedef struct {
   uint64_t reserved[7];
 } fmc_options;
 
-// Sets all options to their defaults. Afterwards set `stiffness`, unless it is to be found.
+// Sets all options to their defaults. Afterwards set `stiffness`, unless a search finds it.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`. Threads: any, on different structs.
 fmc_status fmc_options_init(fmc_options *options);
@@ -378,8 +378,8 @@ fmc_status fmc_options_init(fmc_options *options);
 // Threads: any, on different structs.
 fmc_status fmc_options_set(fmc_options *options, const char *key, const char *value);
 
-// A stiffness k to begin with, from Young's modulus E of the softer body (Pa) and the size h of its cells in contact
-// (length). `law` is a value of `fmc_law`.
+// Suggests an initial stiffness k, from Young's modulus E of the softer body (Pa) and the size h of its cells in
+// contact (length). `law` is a value of `fmc_law`.
 //
 // For the laws "depth" and "fiber" k = 10 E / h, a pressure per length: a penetration of a tenth of a cell presses with E.
 // `dim` and `exponent` have no effect. For the law "volume" with the exponent m an overlap a tenth of a cell deep over a
@@ -565,10 +565,10 @@ fmc_status fmc_context_new_from_cells(int32_t dim,
 
 // Makes a context from a surface: the boundary facets of closed bodies, of any types of `fmc_facet_type`, in one block for each type.
 //
-// An edge has its body on the left, other facets run counter-clockwise seen from outside. Facets of second order are measured as the
-// faces of cells of second order are, and give the same forces. In 3D an edge with a mid-side node does not conform to a straight
-// edge. `body_ids`, one for every facet counted over the blocks, of the same width as node numbers, may be NULL: bodies are the
-// connected components by nodes. Otherwise as `fmc_context_new_from_cells`; also `FMC_ERROR_OPEN_SURFACE`,
+// An edge has its body on the left, other facets run counter-clockwise seen from outside. Facets of second order are measured like
+// faces of cells of second order, and give the same forces. In 3D an edge with a mid-side node does not conform to a straight edge.
+// `body_ids`, one for every facet counted over the blocks, of the same width as node numbers, may be NULL: bodies are the connected
+// components by nodes. Otherwise as `fmc_context_new_from_cells`; also `FMC_ERROR_OPEN_SURFACE`,
 // `FMC_ERROR_INCONSISTENT_ORIENTATION`, `FMC_ERROR_INVERTED_SURFACE`, `FMC_ERROR_NON_CONFORMING`, and `FMC_ERROR_INVERTED_CELL` for a
 // facet of which a part faces the other way. A mid-side node too near to a corner causes this: nearer than an eighth of the edge,
 // along the edge.
@@ -605,19 +605,18 @@ fmc_status fmc_context_counts(const fmc_context *context,
                               size_t *facet_count,
                               size_t *body_count);
 
-// Number of nodes that the option `weld` has taken as one with others, as many as merging would leave out; 0 without it.
+// Number of nodes that the option `weld` has removed: as many as merging would remove; 0 without it.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUSY`. Threads: several at once on one context, as long as no call
 // changes it.
-fmc_status fmc_context_welded_node_count(const fmc_context *context,
-                                         size_t *count);
+fmc_status fmc_context_welded_node_count(const fmc_context *context, size_t *count);
 
 // Sets a callback that the library asks some twenty times a second, during a call, whether to end the call; NULL, the default:
 // none.
 //
-// A call that is ended returns `FMC_ERROR_INTERRUPTED`; the context is as it was before, and may be used on. A search for an equilibrium
-// is refused then. The library calls it while it measures pairs. It does not call it within a factorisation or the linear algebra of a
-// contact step, nor while ranks share the work, since they would wait for one another.
+// An interrupted call returns `FMC_ERROR_INTERRUPTED`; the context is unchanged, and remains usable. A search for an equilibrium then
+// ends with a refusal. The library calls it while it measures pairs. It does not call it within a factorisation or the linear algebra of
+// a contact step, nor while ranks share the work, since they would wait for one another.
 //
 // The callback and `user` must outlive the context, or be replaced before they end. Errors: `FMC_ERROR_NULL_POINTER`,
 // `FMC_ERROR_UNSUPPORTED` for a mesh in parts, `FMC_ERROR_BUSY`. Threads: one call at a time on a context.

@@ -17,28 +17,28 @@ namespace fmc {
 // Receives messages: `FMC_LOG_WARNING`, and a sentence.
 using Log = std::function<void(int32_t level, const char *text)>;
 
-// Whether the call that is running is to end; what it throws ends it, and comes out of it.
+// Returns whether to end the running call. An exception that it throws ends the call, which rethrows it.
 using Interrupt = std::function<bool()>;
 
-// Signed distance at a point x of dim numbers: returns it, negative inside, positive outside, with slope of at most 1, and
-// writes its gradient, of any length; where it is 0 that is the outward normal.
+// Signed distance at a point x of dim numbers: returns it, negative inside, positive outside, with slope of at most 1. It
+// writes the gradient, of any length; where the distance is 0 the gradient is the outward normal.
 using SignedDistance = std::function<double(View<const double> x, View<double> gradient)>;
 
 // The same for n points at once: x and gradients (n, dim), distances (n).
 using SignedDistances = std::function<void(View<const double> x, View<double> distances, View<double> gradients)>;
 
-// Puts the nodes where they are at a displacement of the degrees of freedom on the list of a contact step: coordinates, (n, dim),
-// those of the start with the displacement added on the list.
+// Places the nodes for a displacement of the degrees of freedom on the list of a contact step. It gets the coordinates of the
+// start, (n, dim), with the displacement added on the list.
 using Place = std::function<void(View<const double> displacement, View<double> coords)>;
 
-// Points of an interface at which your own law is asked, with the shapes that `fmc_law_points` says.
+// Points of an interface at which the library calls your law, with the shapes of `fmc_law_points`.
 struct LawPoints {
   std::size_t count, dim, history_count, field_count, body, partner;
   double time_step;
   View<const double> jump, axes, position, reference, area, history, fields;
 };
 
-// Where your own law writes its answer, as `fmc_law_response` says.
+// Output of your law, as in `fmc_law_response`.
 struct LawResponse {
   View<double> traction, tangent, history, stored, dissipated;
 };
@@ -46,7 +46,7 @@ struct LawResponse {
 // Your own law of an interface: all entries of traction and tangent have to be written. See `fmc_respond`.
 using InterfaceLaw = std::function<void(const LawPoints &points, const LawResponse &response)>;
 
-// Facets of a pair at which your own law of friction is asked, with the shapes that `fmc_friction_facets` says.
+// Facets of a pair for which the library calls your law of friction, with the shapes of `fmc_friction_facets`.
 struct FrictionFacets {
   std::size_t count, dim, history_count, field_count, body, partner;
   int32_t partner_kind;
@@ -55,7 +55,7 @@ struct FrictionFacets {
   View<const double> pressure, slip, trial, axes, position, area, history, fields;
 };
 
-// Where your own law of friction writes its answer, as `fmc_friction_response` says.
+// Output of your law of friction, as in `fmc_friction_response`.
 struct FrictionResponse {
   View<double> limit, by_pressure, by_slip, history;
 };
@@ -89,12 +89,12 @@ struct LawCall;
 struct FrictionLawCall;
 using Distances = std::vector<std::unique_ptr<DistanceCall>>;
 
-// The functions of one context, and what one of them has thrown in the call that is running.
+// The functions of one context, and the exception that one of them has thrown in the running call.
 struct Callbacks {
   std::exception_ptr thrown;
   std::unique_ptr<LogCall> log;
   std::unique_ptr<InterruptCall> interrupt;
-  // Of every obstacle that has any, those of its shape.
+  // The functions of the shape of every obstacle that has any.
   std::map<std::size_t, Distances> distances;
   // Of every pair of bodies that has one, the lower first.
   std::map<std::pair<std::size_t, std::size_t>, std::unique_ptr<LawCall>> laws;
@@ -220,8 +220,8 @@ inline void keep_sentence(void *user, int32_t, const char *text) { static_cast<s
 
 }  // namespace detail
 
-// Sentences on your own law of friction: whether the same question has the same answer, and whether its derivatives are those of its limit, up to
-// this pressure and this slip. What is wrong is thrown as `Error`. See `fmc_friction_law_check`.
+// Checks your law of friction, and returns a sentence for each check: whether the same input has the same answer, and whether its
+// derivatives match its limit, up to this pressure and this slip. A fault throws `Error`. See `fmc_friction_law_check`.
 inline std::vector<std::string> check_friction_law(FrictionLaw law, std::size_t history_count, std::size_t dim, double pressure, double slip,
                                                    double time_step = 0) {
   std::exception_ptr thrown;
@@ -234,8 +234,8 @@ inline std::vector<std::string> check_friction_law(FrictionLaw law, std::size_t 
   return sentences;
 }
 
-// Sentences on your own law: whether the same question has the same answer, and whether its tangent is the derivative of its traction, at jumps
-// of this scale. What is wrong is thrown as `Error`. See `fmc_own_law_check`.
+// Sentences on your own law: whether the same question has the same answer, and whether its tangent is the derivative of its traction, at
+// jumps of this scale. A fault throws `Error`. See `fmc_own_law_check`.
 inline std::vector<std::string> check_law(InterfaceLaw law, std::size_t history_count, int dim, double scale,
                                           View<const double> jump = {}, double time_step = 0) {
   std::exception_ptr thrown;

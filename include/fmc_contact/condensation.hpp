@@ -38,13 +38,13 @@ class Condensation {
     check(fmc_condensation_complement(get(), found.data(), found.size(), nullptr));
     return found;
   }
-  // What a right side, a number for every equation, leaves on those that are retained.
+  // Condenses a right side, a number for every equation, on the retained equations.
   std::vector<double> condense(View<const double> right) const {
     std::vector<double> found(retained_);
     check(fmc_condensation_condense(get(), right.data(), right.size(), found.data(), found.size(), nullptr));
     return found;
   }
-  // All equations' solution from that of those that are retained.
+  // Solution of all equations from the solution of the retained ones.
   std::vector<double> expand(View<const double> right, View<const double> retained) const {
     std::vector<double> found(count_);
     check(fmc_condensation_expand(get(), right.data(), right.size(), retained.data(), retained.size(), found.data(), found.size(), nullptr));

@@ -11,15 +11,15 @@
 
 namespace fmc {
 
-// Facets, search trees and obstacles of a mesh in contact, and what the last evaluation found. It owns an `fmc_context`, and can
-// be moved but not copied. Every method is the function `fmc_context_...` of its name, where shapes, signs, units and causes of
-// failure stand; a failure is thrown as `Error`. What a callback throws comes out of the call that called it.
+// Facets, search trees and obstacles of a mesh in contact, and the results of the last evaluation. It owns an `fmc_context`, and
+// can be moved but not copied. Every method is the function `fmc_context_...` of its name, where shapes, signs, units and causes
+// of failure stand; a failure is thrown as `Error`. A call rethrows an exception of its callbacks.
 //
 // Threads: as in C. Const methods at once on one context, as long as no other runs; different contexts at once.
 class Context : public AddsShapes<Context> {
  public:
   // Context from cells, in a block for each type, {{FMC_HEX8, hexes}, {FMC_TET4, tets}}, with 32-bit node numbers. `dim` is 2
-  // or 3; `body_ids`, one for every cell over all blocks, may be left out: bodies are what hangs together.
+  // or 3; `body_ids`, one for every cell over all blocks, may be left out: bodies are the connected components.
   Context(int dim, Coords coords, View<const Cells<int32_t>> cells, const Options &options, View<const int32_t> body_ids = {})
       : Context(dim, 4, [&](fmc_context **made) { return from_cells(dim, coords, cells, options, body_ids, made); }) {}
   // The same with 64-bit numbers. A context goes on with the width it was made with: rows and columns of tangents are as wide.
@@ -38,7 +38,7 @@ class Context : public AddsShapes<Context> {
   }
 
   // Context of a mesh that ranks hold in parts. All ranks make the same calls: `set_coords` with the coordinates of their own nodes,
-  // then the others with the coordinates of the nodes gathered.
+  // then the other functions with the coordinates of the gathered nodes.
   template <class Int>
   static Context from_part(int dim, const fmc_communicator &ranks, const MeshPart<Int> &part, const Options &options) {
     return Context(dim, sizeof(Int), [&](fmc_context **made) {
@@ -81,15 +81,15 @@ class Context : public AddsShapes<Context> {
     return count;
   }
 
-  // Messages to the host, called at the end of an evaluation; empty: none. What it throws comes out of the evaluation, whose
-  // results stand.
+  // Messages to the host, called at the end of an evaluation; empty: none. The evaluation rethrows its exception, and its
+  // results are valid.
   void set_log(Log log) {
     auto next = log ? std::make_unique<detail::LogCall>(detail::LogCall{std::move(log), callbacks_.get()}) : nullptr;
     call(fmc_context_set_log(get(), next ? detail::LogCall::run : nullptr, next.get()));
     callbacks_->log = std::move(next);
   }
-  // Asked some twenty times a second whether the call that is running is to end, on its thread; empty: no more. A call that is ended
-  // throws `FMC_ERROR_INTERRUPTED`, or what the function threw, and the context is as it was before.
+  // Asked some twenty times a second whether the call that is running is to end, on its thread; empty: no more. An interrupted call
+  // throws `FMC_ERROR_INTERRUPTED`, or the exception of the function, and the context is unchanged.
   void set_interrupt(Interrupt asked) {
     auto next = asked
         ? std::make_unique<detail::InterruptCall>(detail::InterruptCall{std::move(asked), callbacks_.get()})
@@ -98,7 +98,8 @@ class Context : public AddsShapes<Context> {
     callbacks_->interrupt = std::move(next);
   }
 
-  // Forces at the current coordinates of all nodes, into the host's array or, with the flag `FMC_EVALUATE_ADD`, onto what it holds.
+  // Forces at the current coordinates of all nodes, written into the host's array or, with the flag `FMC_EVALUATE_ADD`, added to
+  // it.
   fmc_result evaluate(Coords coords, Forces forces, uint32_t flags = 0) {
     fmc_result result;
     const auto x = coords.as_c(dim_);
@@ -168,7 +169,7 @@ class Context : public AddsShapes<Context> {
     const auto block = (flags & FMC_CSR_BLOCKS) != 0 ? axes() * axes() : 1;
     return csr<Int>(block, [&](auto... arrays) { return fmc_context_tangent_csr(get(), flags, arrays...); });
   }
-  // Into arrays of the host, of the lengths that `tangent_csr_size` says, and with numbers as wide as the context's.
+  // Into arrays of the host, of the lengths from `tangent_csr_size`, and with numbers of the context's width.
   template <class Int>
   void tangent_csr(uint32_t flags, View<Int> row_offsets, View<Int> cols, View<double> values) const {
     const auto block = (flags & FMC_CSR_BLOCKS) != 0 ? axes() * axes() : 1;
@@ -201,7 +202,7 @@ class Context : public AddsShapes<Context> {
   void keep_pattern(bool keep) { call(fmc_context_keep_pattern(get(), keep ? 1 : 0)); }
   void set_obstacle_rotations(bool on) { call(fmc_context_set_obstacle_rotations(get(), on ? 1 : 0)); }
 
-  // Ranks that share the work, as `fmc_mpi.h` or the host fills them in; and what they did.
+  // Ranks that share the work, as filled in by `fmc_mpi.h` or the host; and their work.
   void set_communicator(const fmc_communicator &ranks) { call(fmc_context_set_communicator(get(), &ranks)); }
   void clear_communicator() { call(fmc_context_set_communicator(get(), nullptr)); }
   fmc_rank_counts rank_counts() const {
@@ -236,7 +237,7 @@ class Context : public AddsShapes<Context> {
     check(fmc_context_gathered_cells(get(), numbers.data(), count, nullptr));
     return numbers.as<int64_t>();
   }
-  // Slip that was carried into the step, of all facets where it is not zero: what a restart on any number of ranks needs.
+  // Slip carried into the step, of all facets with slip, for a restart on any number of ranks.
   std::vector<fmc_carried_slip> carried_slip() const {
     return detail::rows<fmc_carried_slip>([&](auto... room) { return fmc_context_carried_slip(get(), room...); });
   }
@@ -252,7 +253,7 @@ class Context : public AddsShapes<Context> {
     return step;
   }
 
-  // Stiffness of every pair from the masses and the step that the bodies allow by themselves.
+  // Stiffness of every pair from the masses and the largest step of the bodies without contact.
   void stiffness_from_masses(Coords coords, View<const double> masses, double limit) {
     const auto x = coords.as_c(dim_);
     call(fmc_context_stiffness_from_masses(get(), &x, detail::one_for_each(masses, x.node_count, "masses"), limit));
@@ -266,7 +267,7 @@ class Context : public AddsShapes<Context> {
     return limit;
   }
 
-  // Closes gaps up to `close` and removes overlaps up to `remove` without strain; how far surfaces then lie beside their nodes.
+  // Closes gaps up to `close` and removes overlaps up to `remove` without strain; offsets of surfaces from their nodes.
   fmc_adjustment adjust(Coords coords, double close, double remove) {
     fmc_adjustment adjustment{};
     const auto x = coords.as_c(dim_);
@@ -297,8 +298,8 @@ class Context : public AddsShapes<Context> {
   }
   void set_slip(View<const double> slip) { call(fmc_context_set_slip(get(), slip.data(), slip.size())); }
 
-  // Wear: what both sides of a pair wear by, depth at every node, volume of every body, and (rows, 4) for a restart; the wear of a step
-  // counts for so many cycles.
+  // Wear: coefficients of both sides of a pair, depth at every node, volume of every body, and (rows, 4) for a restart; number of
+  // cycles that a step represents.
   void set_pair_wear(Partner a, Partner b, double wear_a, double wear_b) {
     call(fmc_context_set_pair_wear(get(), a.kind, a.index, b.kind, b.index, wear_a, wear_b));
   }
@@ -392,8 +393,8 @@ class Context : public AddsShapes<Context> {
     call(fmc_context_nodal_contact(get(), &x, &to));
     return at;
   }
-  // The derivatives of `energy` * w + `adjoint` . F, see `fmc_context_vjp`; an adjoint without nodes stands for zeros. `to` says what is
-  // asked for, and where it goes; what comes back is what was asked for of pairs.
+  // The derivatives of `energy` * w + `adjoint` . F, see `fmc_context_vjp`; an adjoint without nodes stands for zeros. `to` selects the
+  // derivatives, and receives them; derivatives by pairs are returned.
   std::vector<fmc_pair_gradient> vjp(Coords coords, double energy, Coords adjoint, const Gradients& to) {
     const auto x = coords.as_c(dim_), a = adjoint.as_c(dim_);
     const auto* forces = a.node_count == 0 ? nullptr : &a;
@@ -410,7 +411,7 @@ class Context : public AddsShapes<Context> {
       return pairs;
     }
   }
-  // Rates of energy and forces along those of what they depend on, see `fmc_context_jvp`.
+  // Rates of energy and forces along rates of their variables, see `fmc_context_jvp`.
   Slopes jvp(Coords coords, const Directions& along) {
     const auto x = coords.as_c(dim_);
     Slopes found;
@@ -430,8 +431,8 @@ class Context : public AddsShapes<Context> {
     return gaps;
   }
 
-  // What flows through the contact of one or several fields, field after field, with values for every row of `coords`, and for every
-  // obstacle; none for these: nothing flows into obstacles. See `fmc_context_flux`.
+  // Flux of one or several fields through the contact, field after field, with values for every row of `coords`, and for every
+  // obstacle. Without values for obstacles there is no flux into them. See `fmc_context_flux`.
   ContactFlux flux(Coords coords, const Conductance& conductance, const std::vector<double>& fields,
                    const std::vector<double>& of_obstacles = {}) {
     const auto x = coords.as_c(dim_);
@@ -480,7 +481,7 @@ class Context : public AddsShapes<Context> {
     return tie;
   }
   void remove_tie(int32_t tie) { call(fmc_context_remove_tie(get(), tie)); }
-  // How far part A of such a tie lies from part B beside its period.
+  // Jump of such a tie: distance of part A from part B in addition to the period.
   void set_tie_jump(int32_t tie, View<const double> jump) {
     detail::one_for_each(jump, static_cast<std::size_t>(dim()), "jump");
     call(fmc_context_set_tie_jump(get(), tie, jump.data()));
@@ -510,12 +511,12 @@ class Context : public AddsShapes<Context> {
     const auto x = coords.as_c(dim_);
     return found<fmc_cohesive_point>([&](auto... room) { return fmc_context_cohesive_points(get(), &x, room...); });
   }
-  // Damage of all points and energy by area that they have dissipated, two numbers for each; see `fmc_context_damage`.
+  // Damage of all points and energy per area that they have dissipated, two numbers for each; see `fmc_context_damage`.
   std::vector<double> damage() const {
     return detail::rows<double>([&](auto... room) { return fmc_context_damage(get(), room...); });
   }
   void set_damage(View<const double> damage) { call(fmc_context_set_damage(get(), damage.data(), damage.size())); }
-  // What else these points have been through, by friction and viscosity, five numbers for each; see `fmc_context_cohesive_history`.
+  // Further state of these points, from friction and viscosity, five numbers for each; see `fmc_context_cohesive_history`.
   std::vector<double> cohesive_history() const {
     return detail::rows<double>([&](auto... room) { return fmc_context_cohesive_history(get(), room...); });
   }
@@ -525,7 +526,7 @@ class Context : public AddsShapes<Context> {
   // How long a step takes, for the viscosity of cohesive interfaces.
   void set_time_step(double time_step) { call(fmc_context_set_time_step(get(), time_step)); }
 
-  // Moves surfaces out by what they penetrate, see `fmc_context_augment`.
+  // Updates the multipliers by the penetration, see `fmc_context_augment`.
   fmc_augmentation augment(Coords coords, double tolerance, double reach = 0) {
     const auto x = coords.as_c(dim_);
     fmc_augmentation result{};
@@ -571,7 +572,7 @@ class Context : public AddsShapes<Context> {
     call(fmc_context_set_friction_law_pair(get(), a.kind, a.index, b.kind, b.index, &options, &given));
     place = std::move(next);
   }
-  // What laws of friction keep after the steps that were committed, in the order of the slip.
+  // History of your laws of friction after the committed steps, in the order of the slip.
   std::vector<double> friction_history() const {
     return detail::rows<double>([&](auto... room) { return fmc_context_friction_history(get(), room...); });
   }
@@ -690,7 +691,7 @@ class Context : public AddsShapes<Context> {
   }
 
   std::size_t axes() const noexcept { return static_cast<std::size_t>(dim_); }
-  // The end of every call that may have called a callback: what that threw goes on here.
+  // The end of every call that may have called a callback: rethrows the callback's exception.
   template <class T, class Give>
   std::vector<T> found(const Give &give) {
     return detail::rows<T>(give, [this](fmc_status status) { call(status); });

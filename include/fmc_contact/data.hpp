@@ -1,6 +1,5 @@
-// What goes into a context and what comes out of it. Part of fmc_contact.hpp. The structs of results themselves, with their
-// units, are those of fmc_contact.h: fmc_result, fmc_resultant, fmc_pair_result, fmc_contact_point, fmc_gap_constraint, fmc_multiplier,
-// fmc_boundary_facet.
+// Inputs and outputs of a context. Part of fmc_contact.hpp. fmc_contact.h has the structs of results, with their units: fmc_result,
+// fmc_resultant, fmc_pair_result, fmc_contact_point, fmc_gap_constraint, fmc_multiplier, fmc_boundary_facet.
 #ifndef FMC_CONTACT_DATA_HPP
 #define FMC_CONTACT_DATA_HPP
 
@@ -22,7 +21,7 @@ struct Options : fmc_options {
   }
 };
 
-// Options of one pair: the fields of `fmc_pair_options`; at first what a pair has without options of its own.
+// Options of one pair: the fields of `fmc_pair_options`, with their defaults at first.
 struct PairOptions : fmc_pair_options {
   PairOptions() : fmc_pair_options() { check(fmc_pair_options_init(this)); }
 };
@@ -80,17 +79,17 @@ struct Communicator : fmc_communicator {
   Communicator() : fmc_communicator() { check(fmc_communicator_init(this)); }
 };
 
-// By what the contact is differentiated, and where that goes; nothing at first.
+// Variables by which the contact is differentiated, and output arrays; none at first.
 struct Gradients : fmc_gradients {
   Gradients() : fmc_gradients() { check(fmc_gradients_init(this)); }
 };
 
-// Along what the contact is differentiated: rates, all 0 at first.
+// Direction in which the contact is differentiated: rates, all 0 at first.
 struct Directions : fmc_directions {
   Directions() : fmc_directions() { check(fmc_directions_init(this)); }
 };
 
-// What energy and nodal forces change by.
+// Rates of energy and nodal forces.
 struct Slopes {
   double energy = 0;
   std::vector<double> forces;
@@ -101,7 +100,7 @@ struct ContactStepOptions : fmc_contact_step_options {
   ContactStepOptions() : fmc_contact_step_options() { check(fmc_contact_step_options_init(this)); }
 };
 
-// What a contact step found, one number for every degree of freedom on its list; look at `state` first.
+// Result of a contact step, one number for every degree of freedom on its list; check `state` first.
 struct ContactStep : fmc_contact_step_result {
   std::vector<double> displacement;
 };
@@ -114,7 +113,7 @@ struct Cells {
   View<const Int> conn;
 };
 
-// What this rank has of a mesh: own nodes and their numbers in the whole mesh, cells of own nodes, their numbers and bodies. Int is
+// Part of a mesh on this rank: own nodes and their numbers in the whole mesh, cells of own nodes, their numbers and bodies. Int is
 // int32_t or int64_t, the same on all ranks.
 template <class Int>
 struct MeshPart {
@@ -284,7 +283,7 @@ struct CsrSize {
   std::size_t rows = 0, entries = 0;
 };
 
-// What `Context::evaluate_tangent` has found beside the forces.
+// Results of `Context::evaluate_tangent` other than the forces.
 struct Evaluation {
   fmc_result result;
   std::size_t rank_one_count = 0;
@@ -313,7 +312,7 @@ struct NodalContact {
   std::vector<int32_t> status;
   std::vector<double> local_pressure;
 
-  // Makes room for it all, and says where it is.
+  // Allocates all arrays, and points to them.
   fmc_nodal_contact as_c(std::size_t nodes, std::size_t axes) {
     for (auto *field : {&pressure, &gap, &area, &sliding, &local_pressure}) field->resize(nodes);
     normal.resize(nodes * axes), friction.resize(nodes * axes), status.resize(nodes);
@@ -354,13 +353,13 @@ struct Conductance {
   }
 };
 
-// What flows out of nodes and obstacles, field after field, and the derivative by one field; rows and columns are nodes, then obstacles.
+// Flux out of nodes and obstacles, field after field, and its derivative by one field; rows and columns are nodes, then obstacles.
 struct ContactFlux {
   std::vector<double> flux, of_obstacles;
   Csr<int64_t> matrix;
 };
 
-// What `contact_force` returns: the force on every node, (nodes, dim), and the overlap volume (2D: area).
+// Result of `contact_force`: the force on every node, (nodes, dim), and the overlap volume (2D: area).
 struct ContactForces {
   std::vector<double> forces;
   double volume = 0;

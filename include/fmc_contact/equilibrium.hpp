@@ -21,7 +21,8 @@ struct EquilibriumOptions : fmc_equilibrium_options {
 // The bodies of a host. K is the derivative of the forces where they were last asked for with `matrix`. Arrays that are filled have a number
 // for every unknown, zero before; a function that returns false has none.
 struct EquilibriumHost {
-  // Internal less external forces at x, without contact; NaN stays in `energy` where strain energy less the work of loads is not known.
+  // Internal minus external forces at x, without contact. `energy` is strain energy minus the work of loads; leave NaN in it if
+  // unknown.
   std::function<bool(View<const double> x, bool matrix, double *forces, double &energy)> forces;
   // K v, or |K| v, with rows and columns of unknowns that are not free.
   std::function<void(View<const double> vector, bool magnitudes, double *product)> product;
@@ -39,7 +40,7 @@ struct EquilibriumProblem {
   View<const double> prescribed;  // May be left out.
 };
 
-// What a search has led to. `way` is FMC_WAY_NONE for a refusal; `texts` has then a sentence, else the warnings.
+// Result of a search. `way` is FMC_WAY_NONE for a refusal; `texts` has then a sentence, else the warnings.
 struct Equilibrium {
   int way = FMC_WAY_NONE;
   std::vector<double> x, reactions, residuals;
@@ -55,7 +56,7 @@ class GivenProblem {
   GivenProblem(const Context &context, const EquilibriumProblem &problem) {
     const auto axes = static_cast<std::size_t>(context.dim());
     const std::size_t rows = problem.base.size() / axes, count = problem.x.size();
-    // Numbers as wide as those of the mesh, and counted as there.
+    // Numbers of the same width and base as in the mesh.
     std::vector<int64_t> &wide = wide_;
     wide.assign(problem.unknown_of_coordinate.begin(), problem.unknown_of_coordinate.end());
     if (wide.empty()) {
@@ -155,8 +156,8 @@ inline Equilibrium answered(Context &context, const EquilibriumSearch &search, c
 
 }  // namespace detail
 
-// The equilibrium at the end of a load step: see `fmc_equilibrium_next`. What a function of the host throws comes out of it; the contact is
-// then as it was before.
+// The equilibrium at the end of a load step: see `fmc_equilibrium_next`. It rethrows an exception of the host's functions; the contact is
+// then unchanged.
 inline Equilibrium find_equilibrium(Context &context, const EquilibriumProblem &problem, const EquilibriumHost &host,
                                     const EquilibriumOptions &options = {}) {
   const detail::EquilibriumSearch search(context, problem, options);
@@ -178,7 +179,7 @@ struct EquilibriumAdjoint {
 
 // The adjoint of the equilibrium `problem.x`, found by whatever solver. `solve_transposed` fills a vector, zero before, with the solution b of
 // (K + T)^T b = right in the rows of free unknowns, T being `Context::tangent` there without flags. Of a number that knows no forces
-// `by_forces` is empty. `to` says by what there are derivatives, and where they go.
+// `by_forces` is empty. `to` selects the derivatives, and receives them.
 inline EquilibriumAdjoint adjoint(Context &context, const EquilibriumProblem &problem, View<const double> by_x, View<const double> by_forces,
                                   const std::function<bool(View<const double> right, double *balance)> &solve_transposed,
                                   const Gradients &to = {}) {

@@ -16,7 +16,7 @@ struct Part;
 
 namespace detail {
 
-// What a shape of the C interface points to.
+// Data to which a shape of the C interface points.
 struct ShapeArrays {
   std::deque<fmc_shape> shapes;
   std::deque<std::vector<fmc_part>> parts;
@@ -64,8 +64,8 @@ class Shape {
     return shape;
   }
   static Shape compound(View<const Part> parts);
-  // A body given by its signed distance in its own frame; see `SignedDistance`. What it throws comes out of the call that
-  // evaluated it, and nothing else has happened then.
+  // A body given by its signed distance in its own frame; see `SignedDistance`. The call that evaluates it rethrows its
+  // exception, and changes nothing.
   static Shape signed_distance(SignedDistance distance) {
     Shape shape(FMC_SHAPE_SIGNED_DISTANCE);
     shape.one_ = std::move(distance);

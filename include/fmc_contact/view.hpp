@@ -35,7 +35,7 @@ class Error : public std::runtime_error {
   fmc_status status_;
 };
 
-// Throws what a function of the C interface has returned, unless it is success.
+// Throws the status of a function of the C interface, unless it is success.
 inline void check(fmc_status status) {
   if (status != FMC_OK) throw Error(status, fmc_last_error());
 }
@@ -65,8 +65,8 @@ template <class E, class T>
 constexpr bool same_number = std::is_same_v<E, T> || (std::is_integral_v<E> && std::is_integral_v<T> && sizeof(E) == sizeof(T) &&
                                                       !std::is_same_v<E, bool>);
 
-// How many numbers one element of a container is: 0 for a number, N for an array of N, and of a fixed vector of Eigen what its
-// size has room for.
+// Numbers in one element of a container: 0 for a number, N for an array of N, and the size in numbers for a fixed vector of
+// Eigen.
 template <class E, class T, class = void>
 struct Row {
   static constexpr bool ok = same_number<E, T>;
@@ -88,8 +88,8 @@ struct Row<E, T, std::enable_if_t<(E::SizeAtCompileTime > 0)>> {
   static constexpr std::size_t length = sizeof(E) / sizeof(T);
 };
 
-// Where the numbers of a container are, and how many: data() and size(), or an array. Else GetData() and Size(), as MFEM has them; what
-// has rows and columns, a Height(), is no such list.
+// Where the numbers of a container are, and how many: data() and size(), or an array. Else GetData() and Size(), as in MFEM; a matrix,
+// which has a Height(), is not such a list.
 template <class C>
 constexpr auto data_of(C &container, int) -> decltype(std::data(container)) { return std::data(container); }
 template <class C>
@@ -112,7 +112,7 @@ using pointer_of = decltype(data_of(std::declval<C &>(), 0));
 template <class C>
 using element_of = std::remove_cv_t<std::remove_pointer_t<pointer_of<C>>>;
 
-// A container as it was passed: what is temporary is taken for constant, so that nothing is written into it and lost.
+// A container as it was passed: a temporary counts as constant, so that no output is written into it and lost.
 template <class C>
 using passed = std::conditional_t<std::is_lvalue_reference_v<C>, std::remove_reference_t<C>, const C>;
 
@@ -124,7 +124,7 @@ struct IsViewable<C, T, std::void_t<pointer_of<C>, decltype(size_of(std::declval
     : std::bool_constant<Row<element_of<C>, std::remove_const_t<T>>::ok &&
                          (std::is_const_v<T> || !std::is_const_v<std::remove_pointer_t<pointer_of<C>>>)> {};
 
-// Eigen's matrices, and whatever tells of strides as they do.
+// Eigen's matrices, and other types with the same interface for strides.
 template <class C, class = void>
 struct IsMatrix : std::false_type {};
 template <class C>
@@ -138,10 +138,10 @@ constexpr bool is_vector = C::RowsAtCompileTime == 1 || C::ColsAtCompileTime == 
 
 }  // namespace detail
 
-// Numbers of the host, one after the other: not owned, not copied, and read or written during the call only. Made from
-// whatever has data() and size(), or is an array: std::vector, std::array, std::span, Eigen's; also of rows that are arrays
-// themselves, such as std::vector<std::array<double, 3>>; and of MFEM's vectors and arrays, by GetData() and Size(). What is to be
-// written must not be a temporary container.
+// Numbers of the host, one after the other: not owned, not copied, and read or written during the call only. Made from an array,
+// or from any type with data() and size(): std::vector, std::array, std::span, Eigen's. Rows may be arrays themselves, such as
+// std::vector<std::array<double, 3>>. MFEM's vectors and arrays work by GetData() and Size(). An output must not be a temporary
+// container.
 //
 // Integers are taken from any type of the same size. Throws `FMC_ERROR_STRIDE` for a matrix with gaps between its entries.
 template <class T>
@@ -197,7 +197,7 @@ class View {
 // - numbers in rows, node after node: any `View`;
 // - rows longer than `dim`, whose first entries count: std::vector<std::array<double, 3>> in 2D;
 // - a matrix of Eigen, n x dim or dim x n, in either storage order. A square one is refused, `FMC_ERROR_LENGTH`, unless its
-//   type says which of the two is `dim`;
+//   type fixes which of the two is `dim`;
 // - anything else by `strided`, with strides as in `fmc_coords`: strided(x, n, 1, n) for all x, then all y, then all z.
 template <class T>
 class Nodal {

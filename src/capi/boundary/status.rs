@@ -121,11 +121,11 @@ pub enum fmc_status {
     FMC_ERROR_RANKS_DIFFER = 53,
     /// Coordinates at which a part of a mesh that was not gathered may be in contact.
     FMC_ERROR_NOT_GATHERED = 54,
-    /// The stiffness of bodies is not positive definite: they are not held, or buckle.
+    /// The stiffness of bodies is not positive definite: they are unsupported, or buckle.
     FMC_ERROR_NOT_POSITIVE_DEFINITE = 55,
     /// A matrix that has to be symmetric is not.
     FMC_ERROR_UNSYMMETRIC = 56,
-    /// There are no factors of a matrix: none was given, or the last one had none.
+    /// There are no factors of a matrix: none was given, or the last one could not be factorised.
     FMC_ERROR_NOT_FACTORISED = 57,
     /// An `index_size` other than 4 and 8, or two of one call that differ.
     FMC_ERROR_INDEX_SIZE = 58,
@@ -141,13 +141,13 @@ pub enum fmc_status {
     FMC_ERROR_NO_STIFFNESS = 63,
     /// The call was ended by the host (`fmc_context_set_interrupt`).
     FMC_ERROR_INTERRUPTED = 64,
-    /// Memory that the call needs for large arrays cannot be had. Memory that runs out for small ones, or that a system grants and does
-    /// not have, ends the process.
+    /// Memory for large arrays could not be allocated. If memory runs out for small ones, or the system has overcommitted it, the
+    /// process ends.
     FMC_ERROR_MEMORY = 65,
-    /// Two bodies are tied, and face one another nowhere within reach.
+    /// Two tied bodies face one another nowhere within reach.
     FMC_ERROR_UNTIED = 66,
-    /// The law of the host on an interface or of friction failed, or left a number that is not finite; or its derivative is none
-    /// (`fmc_own_law_check`, `fmc_friction_law_check`).
+    /// The law of the host on an interface or of friction failed, or wrote a number that is not finite; or its derivative is
+    /// wrong (`fmc_own_law_check`, `fmc_friction_law_check`).
     FMC_ERROR_INTERFACE_LAW = 67,
 }
 

@@ -10,15 +10,15 @@ use fmc_status_class_value::*;
 pub enum fmc_status_class_value {
     /// Success.
     FMC_CLASS_OK = 0,
-    /// An argument, an option or an array is wrong: mend the call. Trying again does not help.
+    /// An argument, an option or an array is wrong: correct the call. A retry does not help.
     FMC_CLASS_INPUT = 1,
-    /// The mesh or a shape is wrong, or became so as it deformed: mend it, or take a shorter step.
+    /// The mesh or a shape is invalid, or became invalid as it deformed: correct it, or take a shorter step.
     FMC_CLASS_GEOMETRY = 2,
-    /// Numbers ran away, or a matrix cannot be factorised: take a shorter step, or hold the bodies.
+    /// The solution diverged, or a matrix cannot be factorised: take a shorter step, or support the bodies.
     FMC_CLASS_NUMERICAL = 3,
-    /// More threads, lines, pieces or steps than there is room for: ask for less.
+    /// More threads, lines, pieces or steps than possible: reduce the request.
     FMC_CLASS_RESOURCE = 4,
-    /// Calls in an order, or on ranks, that do not go together.
+    /// Calls in the wrong order, or ranks that do not match.
     FMC_CLASS_PROTOCOL = 5,
     /// A defect of this library.
     FMC_CLASS_INTERNAL = 6,
@@ -97,8 +97,8 @@ fn class_of(status: fmc_status) -> fmc_status_class_value {
     }
 }
 
-/// Class of a status, a value of `fmc_status_class_value`; `FMC_CLASS_INTERNAL` for a number that is no status. A host that
-/// branches on classes tolerates statuses of later versions of the library. Threads: any.
+/// Class of a status, a value of `fmc_status_class_value`; `FMC_CLASS_INTERNAL` for a number that is not a status. A host
+/// that branches on classes tolerates statuses of later versions of the library. Threads: any.
 #[unsafe(no_mangle)]
 pub extern "C" fn fmc_status_class(status: i32) -> i32 {
     status_of(status).map_or(FMC_CLASS_INTERNAL, class_of) as i32

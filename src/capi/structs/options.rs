@@ -152,7 +152,7 @@ impl Default for fmc_options {
     }
 }
 
-/// Sets all options to their defaults. Afterwards set `stiffness`, unless it is to be found.
+/// Sets all options to their defaults. Afterwards set `stiffness`, unless a search finds it.
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`. Threads: any, on different structs.
 #[unsafe(no_mangle)]

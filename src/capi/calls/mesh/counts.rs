@@ -34,7 +34,7 @@ pub unsafe extern "C" fn fmc_context_counts(
     })
 }
 
-/// Number of nodes that the option `weld` has taken as one with others, as many as merging would leave out; 0 without it.
+/// Number of nodes that the option `weld` has removed: as many as merging would remove; 0 without it.
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUSY`. Threads: several at once on one context, as long as no call
 /// changes it.

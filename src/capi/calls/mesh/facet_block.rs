@@ -125,10 +125,10 @@ where
 
 /// Makes a context from a surface: the boundary facets of closed bodies, of any types of `fmc_facet_type`, in one block for each type.
 ///
-/// An edge has its body on the left, other facets run counter-clockwise seen from outside. Facets of second order are measured as the
-/// faces of cells of second order are, and give the same forces. In 3D an edge with a mid-side node does not conform to a straight
-/// edge. `body_ids`, one for every facet counted over the blocks, of the same width as node numbers, may be NULL: bodies are the
-/// connected components by nodes. Otherwise as `fmc_context_new_from_cells`; also `FMC_ERROR_OPEN_SURFACE`,
+/// An edge has its body on the left, other facets run counter-clockwise seen from outside. Facets of second order are measured like
+/// faces of cells of second order, and give the same forces. In 3D an edge with a mid-side node does not conform to a straight edge.
+/// `body_ids`, one for every facet counted over the blocks, of the same width as node numbers, may be NULL: bodies are the connected
+/// components by nodes. Otherwise as `fmc_context_new_from_cells`; also `FMC_ERROR_OPEN_SURFACE`,
 /// `FMC_ERROR_INCONSISTENT_ORIENTATION`, `FMC_ERROR_INVERTED_SURFACE`, `FMC_ERROR_NON_CONFORMING`, and `FMC_ERROR_INVERTED_CELL` for a
 /// facet of which a part faces the other way. A mid-side node too near to a corner causes this: nearer than an eighth of the edge,
 /// along the edge.

@@ -35,9 +35,9 @@ impl Host {
 /// Sets a callback that the library asks some twenty times a second, during a call, whether to end the call; NULL, the default:
 /// none.
 ///
-/// A call that is ended returns `FMC_ERROR_INTERRUPTED`; the context is as it was before, and may be used on. A search for an equilibrium
-/// is refused then. The library calls it while it measures pairs. It does not call it within a factorisation or the linear algebra of a
-/// contact step, nor while ranks share the work, since they would wait for one another.
+/// An interrupted call returns `FMC_ERROR_INTERRUPTED`; the context is unchanged, and remains usable. A search for an equilibrium then
+/// ends with a refusal. The library calls it while it measures pairs. It does not call it within a factorisation or the linear algebra of
+/// a contact step, nor while ranks share the work, since they would wait for one another.
 ///
 /// The callback and `user` must outlive the context, or be replaced before they end. Errors: `FMC_ERROR_NULL_POINTER`,
 /// `FMC_ERROR_UNSUPPORTED` for a mesh in parts, `FMC_ERROR_BUSY`. Threads: one call at a time on a context.

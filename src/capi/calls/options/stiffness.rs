@@ -8,8 +8,8 @@ use crate::capi::boundary::status::fmc_status;
 use crate::capi::structs::law::LAW;
 use crate::contact::{StiffnessFrom, suggest_fiber_stiffness, suggest_stiffness};
 
-/// A stiffness k to begin with, from Young's modulus E of the softer body (Pa) and the size h of its cells in contact
-/// (length). `law` is a value of `fmc_law`.
+/// Suggests an initial stiffness k, from Young's modulus E of the softer body (Pa) and the size h of its cells in
+/// contact (length). `law` is a value of `fmc_law`.
 ///
 /// For the laws "depth" and "fiber" k = 10 E / h, a pressure per length: a penetration of a tenth of a cell presses with E.
 /// `dim` and `exponent` have no effect. For the law "volume" with the exponent m an overlap a tenth of a cell deep over a
