@@ -5,7 +5,7 @@ Coordinates and forces keep their layout; strides tell the library where the com
     rows      (n, dim)     x0 y0 | x1 y1 | ...     also (n, 3) in 2D, and any slice or transpose of such
     columns   (dim, n)     x0 x1 ... | y0 y1 ...
 
-No mesh has as few nodes as axes, so the shape alone says which of the two is meant.
+No mesh has as few nodes as axes, so the shape alone shows which of the two is meant.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ class View(NamedTuple):
 
 
 def _array(values: ArrayLike, name: str) -> np.ndarray:
-    """An array of what numpy makes one of without loss: entries that are masked are no numbers."""
+    """Converts to an array as numpy does. Errors: ``TypeError`` for masked entries, ``ValueError`` for other objects."""
     if isinstance(values, np.ma.MaskedArray) and np.ma.getmaskarray(values).any():
         raise TypeError(f"{name} has masked entries, expected numbers: fill them by .filled(), or leave them out")
     try:
@@ -86,7 +86,7 @@ def vector(values: ArrayLike, length: int, name: str) -> np.ndarray:
 
 
 def shape_error(name: str, shape: tuple[int, ...], expected: str, hint: str = "") -> ValueError:
-    """What every message about a shape says: argument, actual shape, expected shape."""
+    """Text of every message about a shape: argument, actual shape, expected shape."""
     return ValueError(f"{name} has shape {shape}, expected {expected}" + (f": {hint}" if hint else ""))
 
 

@@ -1,4 +1,4 @@
-"""What a contact and its parts have in common: the context of the library, its options, and what its mesh settles."""
+"""Data that a contact shares with its parts: the context of the library, its options, and properties fixed by its mesh."""
 
 from __future__ import annotations
 

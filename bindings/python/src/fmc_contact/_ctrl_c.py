@@ -10,8 +10,8 @@ from typing import Any, Callable, Optional
 
 
 class CtrlC:
-    """``with`` it around a call of the library, whose callback is ``ask``: what was pressed meanwhile ends the call, and is then handled
-    as always. Only the main thread hears of signals."""
+    """Use it in a ``with`` statement around a call of the library, whose callback is ``ask``. Ctrl-C during the call ends it, and is then handled as
+    usual. Only the main thread receives signals."""
 
     def __init__(self) -> None:
         self._is_pressed = False

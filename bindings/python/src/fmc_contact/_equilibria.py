@@ -1,4 +1,4 @@
-"""What differentiable equilibria of hosts with automatic differentiation share: a contact that is told its parameters, and one adjoint."""
+"""Common part of differentiable equilibria of hosts with automatic differentiation: a contact with its parameters, and one adjoint."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ Bodies = Callable[[np.ndarray], Any]
 
 
 class Equilibria:
-    """Equilibria of a contact as a function of where it starts, of what is prescribed, and of what the contact is told.
+    """Equilibria of a contact as a function of the start, the prescribed values, and the parameters of the contact.
 
     Each begins with the multipliers of the first moment, so that the same arguments have the same equilibrium."""
 
@@ -42,7 +42,7 @@ class Equilibria:
                 self.contact.obstacles.set_pose(obstacle, Pose(position, pose.rotation, pose.scale))
 
     def solved(self, bodies: Bodies, key: tuple[Any, ...], x: np.ndarray, prescribed: Given, reference: Given, positions: Given) -> Equilibrium:
-        """The equilibrium; ``key`` is equal for equal arguments, those of the bodies included."""
+        """The equilibrium; ``key`` is equal for equal arguments, including the arguments of the bodies."""
         self._tell(reference, positions)
         self.contact.multipliers.values = self._first
         found = find_equilibrium(bodies, self.contact, x, self.free, prescribed, **self.options)

@@ -97,7 +97,7 @@ class Handle:
         return guarded(function, self._raised)
 
     def message_callback(self, function: Callable[[str], None]) -> Callable[..., None]:
-        """The function for the library to call with messages; what it raises, ``call`` raises again."""
+        """The function that the library calls with messages; ``call`` reraises its exceptions."""
         guard = self.guarded(lambda text: function(text.decode()))
 
         def tell(_user: object, _level: int, text: bytes) -> None:

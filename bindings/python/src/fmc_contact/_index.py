@@ -21,7 +21,7 @@ def integer(value: Any) -> Optional[int]:
 
 
 def index_of(kind: str, number: Any) -> int:
-    """The number of a body or an obstacle: an integer that is not negative. Whether there is one so high the library says."""
+    """The number of a body or an obstacle: an integer that is not negative. The library checks its upper bound."""
     found = integer(number)
     if found is None:
         raise TypeError(f"{kind} {number!r} is no integer")

@@ -1,4 +1,4 @@
-"""The shared library: where it is found, what it must be, and how its statuses become exceptions.
+"""The shared library: where it is found, which version it must have, and how its statuses become exceptions.
 
 It is searched for, in this order, at the path in the environment variable ``FMC_CONTACT_LIBRARY``, in this package, and
 where the system's loader looks.

@@ -1,4 +1,4 @@
-"""What the operators for JAX and PyTorch share: a contact that is told its parameters, and its values and derivatives there."""
+"""Common part of the operators for JAX and PyTorch: a contact with its parameters, and its values and derivatives for them."""
 
 from __future__ import annotations
 
@@ -57,5 +57,5 @@ class Operator:
 
 
 def given(reference: object, stiffness: object) -> tuple[str, ...]:
-    """The names of those of both that are given."""
+    """The names of the given arguments."""
     return tuple(name for name, value in (("reference", reference), ("stiffness", stiffness)) if value is not None)

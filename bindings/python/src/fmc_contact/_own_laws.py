@@ -1,4 +1,4 @@
-"""What laws of your own have in common, of interfaces and of friction."""
+"""Common part of your own laws, of interfaces and of friction."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ def with_fields(law: Callable[[Any], Any], fields: Optional[ArrayLike]) -> Calla
 
 
 def sentences(ask: Callable[[Any], int], raised: list[BaseException]) -> list[str]:
-    """What a check tells. What the law raised comes out unchanged."""
+    """Sentences of a check. Exceptions of the law are reraised unchanged."""
     texts: list[str] = []
     status = ask(fmc_log_callback(lambda _user, _level, text: texts.append(text.decode())))
     if raised:

@@ -15,7 +15,7 @@ class _Array(c_void_p):
 
     @classmethod
     def from_param(cls, array: Any) -> Any:
-        """What ctypes passes on."""
+        """The value that ctypes passes on."""
         if array is None:
             return None
         if array.dtype != cls.dtype or not array.flags.c_contiguous:
@@ -28,7 +28,7 @@ class IndexArray(c_void_p):
 
     @classmethod
     def from_param(cls, array: Any) -> Any:
-        """What ctypes passes on."""
+        """The value that ctypes passes on."""
         if array is None:
             return None
         if array.dtype not in (np.int32, np.int64) or not array.flags.c_contiguous:

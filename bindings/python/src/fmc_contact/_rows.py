@@ -18,7 +18,7 @@ Rows = tuple[np.ndarray, np.ndarray, np.ndarray]
 def compressed_rows(
     handle: Handle, function: Callable[..., int], *first: object, index_base: int, numbers: int = 1
 ) -> Rows:
-    """What a function of the library gives, counted from 0 as scipy does, with so many numbers an entry."""
+    """Output of a function of the library, counted from 0 as in scipy, with ``numbers`` numbers per entry."""
     offset_count, count = c_size_t(), c_size_t()
     handle.call(function, *first, None, 0, byref(offset_count), None, None, 0, byref(count))
     offsets, cols = np.empty(offset_count.value, handle.index), np.empty(count.value, handle.index)

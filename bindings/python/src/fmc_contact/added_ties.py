@@ -1,4 +1,4 @@
-"""Ties beside the options of pairs: with a period between their faces, or with a jump."""
+"""Ties in addition to the options of pairs: with a period between their faces, or with a jump."""
 
 from __future__ import annotations
 
@@ -27,8 +27,8 @@ def _number(what: str, given: object) -> int:
 class Ties:
     """Ties between named parts of surfaces, of two bodies or of one, with a period and a jump.
 
-    Of points that face each other without deformation, once ``period`` has brought part B to part A, x_A - x_B is
-    ``period + jump``. Ties by ``pairs.set(..., interface="tied")`` are not among them.
+    The tie holds x_A - x_B = ``period + jump`` for points that face each other without deformation, after a shift of part B by ``period``. Ties by
+    ``pairs.set(..., interface="tied")`` are not listed here.
 
     Examples
     --------
@@ -47,14 +47,14 @@ class Ties:
     def add(self, surfaces: tuple[int, int], period: Optional[ArrayLike] = None, reach: float = 0.0) -> int:
         """Ties two parts of the surface. The jump is 0 at first.
 
-        The stiffness is that of the pair's law, and ``find_equilibrium`` finds multipliers. The tie changes no contact.
+        The tie has the stiffness of the pair's law, and ``find_equilibrium`` finds multipliers. The tie changes no contact.
 
         Parameters
         ----------
         surfaces : tuple of int
             Numbers of ``contact.mesh.add_surface``: parts A and B, each of one body, without a facet in common.
         period : array_like, (dim,), optional
-            Brings part B to part A (length). Default: zeros. With a period, only facets of both parts can hide each other.
+            Shift from part B to part A (length). Default: zeros. With a period, only facets of both parts can hide each other.
         reach : float
             Largest gap or overlap up to which faces belong together (length). Default: as of a tied pair.
 
@@ -137,7 +137,7 @@ class Ties:
             self._core.handle.call(library.fmc_context_set_tie_jump, _number("tie", tie), vector)
 
     def found(self, tie: int) -> Tie:
-        """What a tie holds, as it was found without deformation.
+        """Data of a tie, as found without deformation.
 
         Parameters
         ----------

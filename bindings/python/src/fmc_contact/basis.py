@@ -12,7 +12,7 @@ from ._rows import csr_struct
 
 
 def compressed(matrix: Optional[Any], node_count: int) -> tuple[int, Any, object]:
-    """Number of unknowns, the matrix for ``fmc_context_set_basis``, and what it points to."""
+    """Number of unknowns, the matrix for ``fmc_context_set_basis``, and the arrays to which it points."""
     if matrix is None:
         return 0, None, None
     if hasattr(matrix, "tocsr"):

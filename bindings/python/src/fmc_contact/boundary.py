@@ -24,9 +24,9 @@ class BoundaryFacets:
     cell : ndarray of int, (m,)
         Cell of every facet, counted over all blocks; -1 without cells.
     local_face : ndarray of int, (m,)
-        Number of its face among the faces of the cell, as VTK counts them; -1 without cells. Nodes of face 0, 1, ... by their place in
-        the cell: triangle 01, 12, 20; quadrilateral 01, 12, 23, 30; tetrahedron 013, 123, 203, 021; hexahedron 0473, 1265, 0154,
-        3762, 0321, 4567; wedge 012, 354, 0341, 1452, 2530; pyramid 0321, 014, 124, 234, 304; with cells of second order their corners.
+        Number of its face among the faces of the cell, as VTK counts them; -1 without cells. Nodes of face 0, 1, ... by their place in the cell:
+        triangle 01, 12, 20. Quadrilateral 01, 12, 23, 30. Tetrahedron 013, 123, 203, 021. Hexahedron 0473, 1265, 0154, 3762, 0321, 4567. Wedge 012,
+        354, 0341, 1452, 2530. Pyramid 0321, 014, 124, 234, 304. With cells of second order these are the corners.
     nodes : ndarray of int, (m, 2) in 2D, (m, 4) in 3D
         Nodes of the face; the last of a triangle is -1. In 2D the body lies on the left, in 3D they run counter-clockwise, seen from
         outside. Of four, the facet is the triangle of the first two and the mean of all. Of a face of second order they are

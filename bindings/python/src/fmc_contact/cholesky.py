@@ -38,7 +38,7 @@ class Cholesky:
 
 
 class _Factors:
-    """A solver for the rest, with what is kept held."""
+    """A solver for the rest, with the retained unknowns fixed."""
 
     def __init__(self, owner: Cholesky, rest: int, kept: int) -> None:
         self._owner, self._number, self._rest = owner, owner._count, rest
@@ -50,5 +50,5 @@ class _Factors:
         return self._owner.solved(self._number, np.concatenate([right, self._held]), self._held)[: self._rest]
 
     def follow(self, kept: np.ndarray) -> np.ndarray:
-        """How the rest follows what is kept, without a load, in half the time."""
+        """Values of the rest for given retained unknowns, without a load, in half the time."""
         return self._owner.solved(self._number, self._none, kept)[: self._rest]

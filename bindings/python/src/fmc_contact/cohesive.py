@@ -1,4 +1,4 @@
-"""Bodies that are held together by interfaces that break: what they are at some coordinates, and their damage."""
+"""Bodies held together by interfaces that break: their state at some coordinates, and their damage."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ class CohesiveInterface:
     Attributes
     ----------
     area : float
-        All of it, in area without deformation (2D: length; with axisymmetry the area of whole rings). 0: there is none.
+        Its total area, without deformation (2D: length; with axisymmetry the area of whole rings). 0: there is no interface.
     largest_gap : float
         Largest gap or overlap that it keeps between the surfaces (length).
     point_count : int
@@ -31,9 +31,9 @@ class CohesiveInterface:
     stored : float
         Energy that unloading would give back.
     dissipated : float
-        Energy that has been dissipated since nothing was damaged, as it broke.
+        Energy that damage has dissipated so far.
     rubbed : float
-        Energy that friction of what is broken has dissipated, minus what the stick of newly broken area stores.
+        Energy that friction of the broken part has dissipated, minus the stick energy of newly broken area.
     viscous : float
         Energy that the viscosity has dissipated.
     damaged_area : float
@@ -69,17 +69,17 @@ class CohesivePoints:
     position : ndarray, (m, dim)
         Where the point is, on the first body.
     area : ndarray, (m,)
-        Area that it stands for, without deformation.
+        Its tributary area, without deformation.
     opening : ndarray, (m,)
-        How far the bodies are apart beyond the gap at first, along the normal of the second (length). Negative where they are pressed.
+        Opening beyond the initial gap, along the normal of the second body (length). Negative in compression.
     sliding : ndarray, (m, dim)
-        How far the first body has slid along the surface of the second (length).
+        Slip of the first body along the surface of the second (length).
     traction : ndarray, (m, dim)
-        Traction on the second body (force by area), along its outward normal where the bodies are pulled apart.
+        Traction on the second body (force per area), along its outward normal in tension.
     damage : ndarray, (m,)
         0: whole, 1: broken, as it would be after a step that ends here.
     dissipated, rubbed, viscous : ndarray, (m,)
-        Energies by area that have been dissipated then: as it broke, by friction and by viscosity.
+        Energies per area dissipated so far: by damage, by friction and by viscosity.
 
     Examples
     --------
@@ -105,8 +105,8 @@ class CohesivePoints:
 class CohesiveInterfaces:
     """Interfaces that break, as ``pairs.set(a, b, interface="cohesive", ...)`` makes them.
 
-    Damage grows in every evaluation from what was accepted last, and is accepted by ``friction.commit_step``, after
-    ``friction.begin_step`` at the start. A step may be tried as often as you like.
+    Every evaluation computes damage from the last accepted state, and ``friction.commit_step`` accepts it, after ``friction.begin_step`` at the
+    start. You may repeat a step any number of times.
 
     Examples
     --------
@@ -197,10 +197,10 @@ class CohesiveInterfaces:
 
     @property
     def damage(self) -> np.ndarray:
-        """What all points have been through in the steps that were accepted, in the order of ``points``, (m, 2).
+        """State of all points after the accepted steps, in the order of ``points``, (m, 2).
 
-        Columns: damage, 0 to 1; energy by area that was dissipated. With the coordinates you need nothing else for a restart, but
-        ``history`` with friction or viscosity. Set it also for an interface that is damaged at first: a damage of 1 is a crack.
+        Columns: damage, 0 to 1; energy per area that was dissipated. A restart needs it and the coordinates, with friction or viscosity also
+        ``history``. Set it also for an initially damaged interface: a damage of 1 is a crack.
 
         Raises
         ------
@@ -234,10 +234,10 @@ class CohesiveInterfaces:
 
     @property
     def history(self) -> np.ndarray:
-        """What else these points have been through, (m, 5): a restart sets it after ``damage``. All 0 without friction and viscosity.
+        """Further state of these points, (m, 5): a restart sets it after ``damage``. All 0 without friction and viscosity.
 
-        Columns: two of the slip of what is broken, in edges of the facet of the second body; energies by area that friction and viscosity
-        have dissipated; and where the point was when the step began, while viscosity holds its damage back.
+        Columns: two of the slip of the broken part, in edges of the facet of the second body; energies per area that friction and viscosity have
+        dissipated. The last is the loading of the point when the step began, while the viscosity delays damage.
 
         Raises
         ------
@@ -270,7 +270,7 @@ class CohesiveInterfaces:
             self._core.handle.call(library.fmc_context_set_cohesive_history, values, values.size)
 
     def set_time_step(self, time_step: float) -> None:
-        """Says how long the step takes that is under way, and each later one: what the ``viscosity`` of a pair goes by.
+        """Sets the duration of the current step and of all later ones, for the ``viscosity`` of a pair.
 
         Parameters
         ----------

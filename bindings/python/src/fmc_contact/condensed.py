@@ -53,13 +53,12 @@ class Unknowns:
         return x.reshape(-1, self.inner.dim) if self.contact is self.inner else self.contact.coords(x)
 
     def at_freedoms(self, values: np.ndarray) -> np.ndarray:
-        """What unknowns have, or marks, at the degrees of freedom of the contact: nothing where none moves them."""
+        """Values or marks of unknowns at the degrees of freedom of the contact: 0 where no unknown moves them."""
         found: np.ndarray = values[self.of_freedom] * (self.of_freedom >= 0)
         return found
 
     def near(self, x: np.ndarray, reach: float) -> list[np.ndarray]:
-        """Degrees of freedom of the contact that move nodes whose mean gap is less than a reach, and what they are near: node by node,
-        the nearest first."""
+        """Degrees of freedom of the contact that move nodes whose mean gap is below a reach, and their partners: node by node, the nearest first."""
         gaps = self.inner.gap_constraints(self.coords(x), reach)
         (rows,) = np.nonzero(gaps.gap < reach * gaps.area)
         rows = rows[np.argsort(gaps.gap[rows] / gaps.area[rows], kind="stable")]
@@ -72,8 +71,8 @@ class Unknowns:
 
 
 def chosen() -> Condense:
-    """The library's own factors; for what is not symmetric and positive definite MUMPS, where the program has imported petsc4py
-    that has it, else SuperLU."""
+    """The library's own factors. For matrices that are not symmetric and positive definite it takes MUMPS, if the program has imported a petsc4py
+    with it, else SuperLU."""
     other = mumps.Mumps() if mumps.is_there() else SuperLU()
     return Cholesky(other) if library.fmc_has_feature(b"solver") else other
 
@@ -122,8 +121,8 @@ class Condensed:
         return self._add(self.unknowns.touching(x))
 
     def expect(self, x: np.ndarray, moved: np.ndarray) -> None:
-        """Where nothing touches yet, adds those that may when what is prescribed is moved: nodes that are nearer to a partner than
-        anything moves, the nearest first. Factors without them would serve for one step."""
+        """Before any contact, adds nodes that may come into contact in the prescribed motion: those nearer to a partner than the largest motion, the
+        nearest first. Without them the factors would serve for one step only."""
         if len(self.dofs) or not moved.any():
             return
         way = np.linalg.norm(self.unknowns.at_freedoms(moved).reshape(-1, self.unknowns.inner.dim), axis=1).max()
@@ -152,8 +151,7 @@ class Condensed:
         """Change of all unknowns from ``x``, (size,), with what is prescribed moved by ``moved``, (size,); ``inside`` and
         ``matrix`` are internal less external forces at ``x`` and their derivative, without contact.
 
-        Errors: those of ``Contact.contact_step``; ``RuntimeError`` where the bodies are not held where they do not touch, or
-        where too many unknowns feel contact."""
+        Errors: as ``Contact.contact_step``; ``RuntimeError`` if the bodies are unsupported without contact, or if too many unknowns feel contact."""
         self.grow(x)
         self.expect(x, moved)
         for _ in range(_MOST_GROWTHS):

@@ -44,8 +44,8 @@ from .wear import Wear
 class Contact:
     """Contact of a mesh, for repeated evaluations: keeps its boundary, search trees and obstacles.
 
-    Coordinates are those of all nodes, used or not. float64 arrays are read in place, in any layout; other real numbers are
-    converted. After an error a contact is as it was before the call.
+    Coordinates include all nodes, used or not. float64 arrays are read in place, in any layout; other real numbers are converted. After an error a
+    contact is as it was before the call.
 
     Contacts share nothing, so different threads may use different contacts at once; the GIL is released during an evaluation.
     Concurrent calls on one contact raise ``BusyError``.
@@ -70,7 +70,7 @@ class Contact:
     Attributes
     ----------
     mesh : Mesh
-        Boundary facets, undeformed coordinates, planes of symmetry, and what moves the nodes.
+        Boundary facets, undeformed coordinates, planes of symmetry, and the unknowns that move the nodes.
     obstacles : Obstacles
         Rigid obstacles: added, moved, removed.
     pairs : Pairs
@@ -84,7 +84,7 @@ class Contact:
     friction : FrictionSteps
         Steps with friction, and the elastic slip that is carried from one to the next.
     wear : Wear
-        What sliding wears off.
+        Wear by sliding.
     multipliers : Multipliers
         Multipliers of the augmented Lagrangian.
     patches : Patches
@@ -151,7 +151,7 @@ class Contact:
         bodies: Optional[ArrayLike] = None,
         **options: Unpack[OtherOptions],
     ) -> Contact:
-        """A contact from the boundary of closed bodies. The law must be ``"fiber"`` or ``"volume"``: depth is that of cells.
+        """A contact from the boundary of closed bodies. The law must be ``"fiber"`` or ``"volume"``: ``"depth"`` needs cells.
 
         Parameters
         ----------
@@ -236,7 +236,7 @@ class Contact:
         return described(self._core.options)
 
     def set_options(self, **options: Unpack[Options]) -> None:
-        """Changes some options, from the next evaluation on. The others stay, and so do those of single pairs.
+        """Changes some options, from the next evaluation on. All other options stay, and so do options of single pairs.
 
         Parameters
         ----------
@@ -260,10 +260,10 @@ class Contact:
             self._core.options = replaced
 
     def stiffen(self, factor: float) -> None:
-        """Multiplies the stiffness of the law, and that of every pair with a law of its own, by a factor.
+        """Multiplies the stiffness of the law, and of every pair with a separate law, by a factor.
 
-        Where moved surfaces just touch, their pressure stays. If an update of the multipliers leaves more than a quarter of the
-        penetration, this helps more than another update.
+        The pressure of the multipliers does not change. Call it instead of another update of the multipliers if the last update reduced the
+        penetration to more than a quarter.
 
         Parameters
         ----------
@@ -293,7 +293,7 @@ class Contact:
         coords : array_like, (n, dim), or (n, 3) in 2D, or (dim, n)
             Current coordinates of all nodes.
         out : ndarray of float64, optional
-            Receives the forces in place of a new array, in any layout of ``coords``. A third column in 2D is left alone.
+            Receives the forces in place of a new array, in any layout of ``coords``. A third column in 2D is not written.
         add : bool
             Whether forces are added to ``out``.
 
@@ -305,7 +305,7 @@ class Contact:
         Raises
         ------
         LengthError
-            If the number of nodes is not that of the mesh.
+            If the number of nodes differs from the mesh.
         NonFiniteCoordinateError, InvertedCellError, ZeroMeasureError
             For coordinates at which there are no bodies.
         UnsupportedError
@@ -540,8 +540,8 @@ class Contact:
     ) -> ContactFlux:
         """Flux of scalar fields through contact, of heat or of charge: int N h (T - T_other) dA out of every node.
 
-        T_other is the field at the point of the other side that faces the node's. The pressure, of which h depends, is that of the law.
-        Bodies that are tied, glued or do not separate conduct where they are held.
+        T_other is the field at the facing point of the other side. The conductance h depends on the pressure of the law. Bodies that are tied, glued
+        or do not separate conduct where they are held.
 
         Parameters
         ----------
@@ -648,7 +648,7 @@ class Contact:
             return tie_nodes(self._core.handle, view, self._core.dim)
 
     def tie_constraints(self) -> TieConstraints:
-        """All ties as equations of the coordinates, for a host that eliminates unknowns or has multipliers of its own.
+        """All ties as equations of the coordinates, for a host that eliminates unknowns or uses its own multipliers.
 
         Returns
         -------
@@ -699,7 +699,7 @@ class Contact:
         Returns
         -------
         Gradients
-            One array, or one number for each pair, for what was asked for.
+            One array, or one number for each pair, for each requested derivative.
 
         Raises
         ------
@@ -737,7 +737,7 @@ class Contact:
         pairs: Iterable[PairGradient] = (),
         slip: Optional[ArrayLike] = None,
     ) -> Slopes:
-        """Rates of energy and forces along rates of what they depend on: the forward twin of ``vjp``.
+        """Rates of energy and forces along rates of their variables: the forward counterpart of ``vjp``.
 
         Parameters
         ----------
@@ -766,7 +766,7 @@ class Contact:
         TypeError, ValueError
             For arrays of another shape, and for rates that are not finite.
         UnsupportedError
-            As ``vjp`` with an adjoint, for what moves.
+            As ``vjp`` with an adjoint, for all variables with a rate.
         FmcError
             As ``tangent`` raises; for pairs and rows of slip that there are not.
 
@@ -887,8 +887,8 @@ class Contact:
     def stable_step(self, coords: ArrayLike, masses: ArrayLike) -> float:
         """Largest time step of central differences (leapfrog) for the contact alone; up to 3 % below the limit.
 
-        If your bodies alone allow h, both together allow s with 1/s**2 = 1/h**2 + 1/stable_step**2. The limit is that of the motion
-        linearised at ``coords``: contact that begins within a step is not in it. Obstacles are held.
+        If your bodies alone allow h, both together allow s with 1/s**2 = 1/h**2 + 1/stable_step**2. The limit holds for the motion linearised at
+        ``coords``, without contact that begins within a step. Obstacles are held.
 
         Parameters
         ----------
@@ -923,7 +923,7 @@ class Contact:
     def stiffness_from_masses(self, coords: ArrayLike, masses: ArrayLike, limit: float) -> None:
         """Finds the stiffness of every pair for explicit dynamics, in place of the option ``stiffness``.
 
-        With contact of whole faces the time step becomes a tenth shorter than what your bodies allow by themselves.
+        Contact of whole faces makes the time step a tenth shorter than the limit of your bodies without contact.
 
         Parameters
         ----------
@@ -932,7 +932,7 @@ class Contact:
         masses : array_like, (n,)
             Lumped masses of the nodes; infinite for nodes that are held.
         limit : float
-            Largest time step of central differences that your bodies allow by themselves (time).
+            Largest time step of your bodies without contact in central differences (time).
 
         Raises
         ------
@@ -958,8 +958,8 @@ class Contact:
     def step_limit(self, coords: ArrayLike, step: ArrayLike) -> StepLimit:
         """How far nodes may go along a step so that nothing passes through anything.
 
-        Surfaces come to overlap by half a facet at most, beyond what they do, and no body moves by more than half its thickness
-        against the others. For an iteration of your own; ``find_equilibrium`` does it by itself.
+        The overlap of surfaces grows by at most half a facet, and no body moves by more than half its thickness relative to another. Use it in your
+        own iteration; ``find_equilibrium`` includes it.
 
         Parameters
         ----------

@@ -28,9 +28,8 @@ class ContactStep:
     displacement : ndarray, (m,)
         Displacement of the degrees of freedom on the list.
     state : str
-        ``"converged"``. ``"outside"``: contact acts on degrees of freedom that are neither on the list nor held; the displacement is
-        what was reached, and a longer list is needed. ``"not_converged"``: the iterations have run out, or the residual could not
-        be lowered any more.
+        ``"converged"``. ``"outside"``: contact acts on degrees of freedom that are neither on the list nor held, and a longer list is needed. The
+        displacement is the last one. ``"not_converged"``: the iterations have run out, or the residual could not be lowered further.
     iterations : int
         Dense systems solved.
     evaluation_count : int
@@ -42,7 +41,7 @@ class ContactStep:
     residual : float
         Norm of the remaining residual (force).
     scale : float
-        What it is compared with: the larger of the norms of the given residual and of the contact forces on the list.
+        Reference of the residual: the norm of the given residual or of the contact forces on the list, whichever is larger.
 
     Examples
     --------

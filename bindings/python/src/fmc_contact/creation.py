@@ -21,7 +21,7 @@ Cells = Union[ArrayLike, Sequence[tuple[str, ArrayLike]]]
 
 
 class Start(NamedTuple):
-    """A context, and what its mesh settles for good."""
+    """A context, and properties fixed by its mesh."""
 
     handle: Handle
     dim: int
@@ -78,7 +78,7 @@ def from_cells(
 
 
 class _Kind(NamedTuple):
-    """What blocks are made of."""
+    """Kind of the entries of blocks: cells or facets."""
 
     what: str
     types: dict[str, int]

@@ -36,8 +36,8 @@ class FmcError(Exception):
 
     @property
     def indices(self) -> dict[str, tuple[int, ...]]:
-        """Numbers that the sentence names, by what they number: ``{"cell": (1,), "node": (8,)}``. A cell that may be
-        a facet is a ``"cell"``; ``"coordinate"`` is an axis."""
+        """Indices that the sentence names, by their kind: ``{"cell": (1,), "node": (8,)}``. A cell that may be a facet is a ``"cell"``;
+        ``"coordinate"`` is an axis."""
         found: dict[str, tuple[int, ...]] = {}
         for name, *numbers in _NUMBERED.findall(str(self)):
             found.setdefault(_KEYS.get(name, name), tuple(int(number) for number in numbers if number))
@@ -57,11 +57,11 @@ class MisalignedPointerError(FmcError, ValueError):
 
 
 class LengthError(FmcError, ValueError):
-    """The length of an array is not what the mesh says."""
+    """The length of an array does not match the mesh."""
 
 
 class BufferTooSmallError(FmcError, ValueError):
-    """An output is shorter than what is to be written into it."""
+    """An output array is too short."""
 
 
 class StrideError(FmcError, ValueError):
@@ -133,7 +133,7 @@ class UnknownFlagError(FmcError, ValueError):
 
 
 class OptionsConflictError(FmcError, ValueError):
-    """Two options exclude one another, or one would have no effect with the others."""
+    """Two options exclude one another, or one would have no effect in combination with the rest."""
 
 
 class ReservedFieldError(FmcError, ValueError):
@@ -181,7 +181,7 @@ class RangeError(FmcError, OverflowError):
 
 
 class PanicError(FmcError, RuntimeError):
-    """A defect of the library. The text says what and where."""
+    """A defect of the library. The text gives the reason and the place."""
 
 
 class DegenerateHullError(FmcError, ValueError):
@@ -222,7 +222,7 @@ class UnfinishedLinesError(FmcError, ValueError):
 
 
 class NoStepError(FmcError, RuntimeError):
-    """Friction is asked for, but no step has begun: call ``contact.friction.begin_step``."""
+    """Friction is on, but no step has begun: call ``contact.friction.begin_step``."""
 
 
 class NonFiniteSlipError(FmcError, ValueError):
@@ -234,8 +234,8 @@ class NegativeRadiusError(FmcError, ValueError):
 
 
 class NonConformingError(FmcError, ValueError):
-    """Two cells, or facets of a surface without cells, do not fit: an edge or a face has a node in its middle in one of
-    them, and in the other it has none, or another one."""
+    """Two cells, or facets of a surface without cells, do not conform: an edge or a face has a node in its middle in only one of them, or they have
+    different nodes there."""
 
 
 class SingularStiffnessError(FmcError, ValueError):
@@ -291,7 +291,7 @@ class UnsymmetricError(FmcError, ValueError):
 
 
 class IndexSizeError(FmcError, ValueError):
-    """Numbers of nodes are of neither 32 nor 64 bits, or not all of one width."""
+    """Node numbers have neither 32 nor 64 bits, or not all the same width."""
 
 
 class NoStiffnessError(FmcError, RuntimeError):
@@ -303,7 +303,7 @@ class UntiedError(FmcError, ValueError):
 
 
 class InterfaceLawError(FmcError, ValueError):
-    """Your own law of an interface failed, or answered what is not finite."""
+    """Your own law of an interface failed, or returned a number that is not finite."""
 
 
 class EndedError(FmcError, RuntimeError):

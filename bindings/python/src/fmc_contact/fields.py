@@ -69,10 +69,9 @@ class NodalContact:
 class ContactPoints:
     """The m points where a law presses.
 
-    With ``"fiber"`` they are pieces of lines inside both sides of a pair. With ``"depth"`` they are the centres of pressure of
-    what facets have inside each cell of the other body, or inside an obstacle. Facets of both bodies are pressed, each for half of
-    its area; facets against an obstacle for all of it. With ``"volume"`` there are none, unless friction acts. Axis 1 of the arrays
-    of sides is the side, first and second.
+    With ``"fiber"`` they are pieces of lines inside both sides of a pair. With ``"depth"`` they are the centres of pressure of the parts of facets
+    inside each cell of the other body, or inside an obstacle. Facets of both bodies are pressed, each with half of its area; facets against an
+    obstacle with all of it. With ``"volume"`` there are none, unless friction acts. Axis 1 of the arrays of sides is the side, first and second.
 
     Attributes
     ----------

@@ -20,7 +20,7 @@ from .errors import of_status
 
 @dataclass(frozen=True, eq=False)
 class Conductance:
-    """Conductance h of a contact: flux by area and jump of the field, for heat W/(m^2 K). Tables are linear between their entries.
+    """Conductance h of a contact: flux per area and jump of the field, for heat W/(m^2 K). Tables are linear between their entries.
 
     Attributes
     ----------
@@ -45,7 +45,7 @@ class Conductance:
 
 @dataclass(frozen=True, eq=False)
 class ContactFlux:
-    """What flows through contact, and the derivative of it by the field.
+    """Flux through contact, and its derivative by the field.
 
     ``data``, ``indices``, ``indptr`` are the derivative, the same for every field, in compressed rows: symmetric, positive semidefinite. Its rows
     and columns are the n nodes, then the m obstacles.
@@ -53,7 +53,7 @@ class ContactFlux:
     Attributes
     ----------
     flux : ndarray, (n,) or (fields, n)
-        What flows out of every node into what it touches: int N h (T - T_other) dA. Its sum with ``obstacles`` is zero.
+        Flux out of every node into its partners: int N h (T - T_other) dA. Its sum with ``obstacles`` is zero.
     obstacles : ndarray, (m,) or (fields, m)
         The same out of every obstacle; zero where they have no values.
     data : ndarray
@@ -100,7 +100,7 @@ class ContactFlux:
 
 @dataclass(frozen=True, eq=False)
 class FrictionHeat:
-    """Energy that friction has dissipated since the step began, as heat: its sum is that of all pairs.
+    """Energy that friction has dissipated since the step began, as heat: its sum is the dissipation of all pairs.
 
     Attributes
     ----------

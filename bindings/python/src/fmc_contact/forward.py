@@ -39,7 +39,7 @@ class Slopes(NamedTuple):
 
 @dataclass(frozen=True)
 class Rates:
-    """What moves, in dense rows of finite numbers."""
+    """Rates of motions, in dense rows of finite numbers."""
 
     moved: Mapping[str, Optional[np.ndarray]]
     """``motion``, ``positions`` and ``rotations``."""

@@ -1,4 +1,4 @@
-"""Steps with friction: what is carried from one to the next."""
+"""Steps with friction, and the state that they carry."""
 
 from __future__ import annotations
 
@@ -173,7 +173,7 @@ class FrictionSteps:
 
     @property
     def history(self) -> np.ndarray:
-        """What your own laws of friction keep of the steps that were committed.
+        """History of your own laws of friction after the committed steps.
 
         For each row of ``slip``, in its order, there are as many numbers as the law of the pair has; none without a law. Set it for a restart
         after ``slip``, with the rows that it belongs to.

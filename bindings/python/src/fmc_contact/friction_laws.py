@@ -1,4 +1,4 @@
-"""Friction by your own law: the facets at which it is asked, what it answers, and a check by differences."""
+"""Friction by your own law: its input facets, its output, and a check by differences."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from ._structs import fmc_friction_facets, fmc_friction_law, fmc_friction_respon
 
 @dataclass(frozen=True, eq=False)
 class FrictionFacets:
-    """All n facets of a pair at which your own law of friction is asked, of both sides, as far as they bear.
+    """All n facets of a pair for which the library calls your law of friction: the facets under pressure, of both sides.
 
     Attributes
     ----------
@@ -33,7 +33,7 @@ class FrictionFacets:
         The elastic slip if nothing slid in the step (length). Where its length times ``stiffness`` is beyond the limit, the facet slides by the
         rest.
     stiffness : float
-        Stiffness of the stick, a pressure by length. 0: friction without memory.
+        Stiffness of the stick, a pressure per length. 0: friction without memory.
     time_step : float
         How long the step takes, as ``contact.cohesive.set_time_step`` said. 0: nothing was said.
     history : ndarray, (n, h)
@@ -41,9 +41,8 @@ class FrictionFacets:
     fields : ndarray, (n, 2, m)
         Means over the facet of what ``contact.laws.set_fields`` gave, on the side of the first partner and of the second. NaN on an obstacle.
     axes : ndarray, (n, dim - 1, dim)
-        Axes of the slip in space, by rows. In 2D the normal, out of the first partner, turned by +90°. In 3D the first axis is the x axis
-        projected into the facet (the z axis, where the normal is within 6° of x). The second is normal × first. They do not turn along with
-        the material.
+        Tangential axes of the slip, by rows. In 2D the normal, out of the first partner, turned by +90°. In 3D the first axis is the x axis projected
+        into the facet (the z axis, where the normal is within 6° of x). The second is normal × first. They do not turn along with the material.
     position : ndarray, (n, dim)
         Where the tractions act.
     area : ndarray, (n,)
@@ -79,12 +78,12 @@ class FrictionFacets:
 
 @dataclass(frozen=True, eq=False)
 class FrictionResponse:
-    """What your own law of friction answers at n facets. A tuple of the first two, three or four does as well.
+    """Output of your own law of friction at n facets. A tuple of the first two, three or four is accepted too.
 
     Attributes
     ----------
     limit : array_like, (n,)
-        Tractions at which the facets slide, force by area, at least 0.
+        Tractions at which the facets slide, force per area, at least 0.
     by_pressure : array_like, (n,)
         Their derivatives by the pressure, with slip, history and time step held.
     by_slip : array_like, (n, dim - 1), optional
@@ -110,7 +109,7 @@ FrictionLaw = Callable[[FrictionFacets], Union[FrictionResponse, tuple[Optional[
 
 
 def _asked(law: FrictionLaw) -> Callable[..., None]:
-    """What the library calls: the law with arrays."""
+    """The function that the library calls: the law with arrays."""
 
     def respond(_user: object, facets: int, response: int) -> None:
         given, to = fmc_friction_facets.from_address(facets), fmc_friction_response.from_address(response)
@@ -147,7 +146,7 @@ def _asked(law: FrictionLaw) -> Callable[..., None]:
 
 
 def friction_law_struct(law: FrictionLaw, history: int, guard: Callable[..., Callable[..., int]]) -> tuple[fmc_friction_law, Any]:
-    """A law for the library, and what has to live as long as it."""
+    """A law for the library, and the objects that must outlive it."""
     count = history_count(history, "facet")
     if not callable(law):
         raise TypeError(f"friction_law is {law!r}, expected a function of the facets")
@@ -160,10 +159,11 @@ def friction_law_struct(law: FrictionLaw, history: int, guard: Callable[..., Cal
 def check_friction_law(
     law: FrictionLaw, dim: int, pressure: float, slip: float, *, history: int = 0, time_step: float = 0.0, fields: Optional[ArrayLike] = None
 ) -> list[str]:
-    """Sentences on your own law of friction: whether the same question has the same answer, and whether its derivatives are those of its limit.
+    """Checks your own law of friction, and returns a sentence for each check: whether the same input has the same answer, and whether its derivatives
+    match its limit.
 
-    It is asked at 60 pressures and slips. Differences have steps of 1e-6 of ``pressure`` and ``slip``, and must agree to 1e-6 of the limit.
-    Corners of a law are recognised. The history is 0, and then what other facets leave. What is wrong begins with a word and ``WRONG``.
+    It calls the law at 60 pressures and slips. Differences have steps of 1e-6 of ``pressure`` and ``slip``, and must agree to 1e-6 of the limit.
+    Corners of a law are recognised. The history is 0, and then the result of other facets. A sentence about a fault begins with a word and ``WRONG``.
 
     Parameters
     ----------
@@ -190,9 +190,9 @@ def check_friction_law(
     Raises
     ------
     InterfaceLawError
-        If the law answers what is no limit.
+        If the law returns an invalid limit.
     DimensionError, NotPositiveError
-        For values that cannot be. What the law raises comes out unchanged.
+        For impossible values. Exceptions of the law are reraised unchanged.
 
     Examples
     --------

@@ -24,7 +24,7 @@ NAMES = (*_OF_NODES, *_OF_OBSTACLES, *_OF_PAIRS, "slip")
 
 
 def names_of(by: Iterable[str]) -> tuple[str, ...]:
-    """What derivatives are asked by. Errors: ``ValueError`` for other names, and for one name that is no list."""
+    """Names of the variables of requested derivatives. Errors: ``ValueError`` for other names, and for one name that is no list."""
     if isinstance(by, str):
         raise ValueError(f"'by' is the text '{by}', expected a list of names such as ['positions'], of {', '.join(NAMES)}")
     names = tuple(by)
@@ -37,7 +37,7 @@ def names_of(by: Iterable[str]) -> tuple[str, ...]:
 
 @dataclass(frozen=True)
 class PairGradient:
-    """Derivatives by what one pair has; 0 for what was not asked for. For ``Contact.jvp`` rates of this.
+    """Derivatives by the parameters of one pair; 0 if not requested. For ``Contact.jvp`` rates of this.
 
     Attributes
     ----------
@@ -66,8 +66,8 @@ class PairGradient:
 
 @dataclass(frozen=True, eq=False)
 class Gradients:
-    """Derivatives of ``energy * w + (adjoint * forces).sum()``, w being the contact energy; ``None`` for what was not asked for.
-    With ``slip_adjoint`` there is one term more, of the elastic slip with which the step ends.
+    """Derivatives of ``energy * w + (adjoint * forces).sum()``, w being the contact energy; ``None`` if not requested. With ``slip_adjoint`` there is
+    one term more, of the elastic slip with which the step ends.
 
     Attributes
     ----------
@@ -80,7 +80,7 @@ class Gradients:
     rotations : ndarray, (m, 3), or None
         By a rotation vector of every obstacle about its position; in 2D only the last entry differs from zero.
     pairs : tuple of PairGradient
-        By what each pair that touches has, in the order of the pairs; empty if nothing of them was asked for.
+        By the parameters of each pair in contact, in the order of the pairs; empty if not requested.
     slip : ndarray, (rows, 8), or None
         By the elastic slip carried into the step, in columns 4 to 6: a row as in ``contact.friction.slip`` for each facet that friction
         acts on.

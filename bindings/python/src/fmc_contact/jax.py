@@ -1,8 +1,7 @@
 """Contact energy and forces as functions that JAX differentiates in reverse mode: ``jit``, ``grad``, ``vjp``, ``vmap``.
 
-``energy`` is twice differentiable by coordinates. Forward mode (``jvp``, ``jax.hessian``) is not there; ``jax.jacrev`` of
-``jax.grad`` is. An operator tells its contact the undeformed coordinates and the stiffness that it is called with, so
-that the contact is the operator's alone.
+``energy`` is twice differentiable by coordinates. There is no forward mode (``jvp``, ``jax.hessian``); use ``jax.jacrev`` of ``jax.grad``. An
+operator sets the undeformed coordinates and the stiffness of its contact in each call, so do not share the contact.
 
 ``equilibrium`` is the equilibrium of bodies that JAX has the residual of, by their parameters; not within ``jit`` and ``vmap``.
 """
@@ -35,7 +34,7 @@ def energy(contact: Contact) -> Callable[..., Any]:
     Returns
     -------
     callable
-        A function of jax arrays of float64, (n, dim), (n, dim) and (); ``None`` leaves what the contact has. It returns a ().
+        A function of jax arrays of float64, (n, dim), (n, dim) and (); ``None`` keeps the value of the contact. It returns a ().
 
     Raises
     ------
@@ -56,7 +55,7 @@ def forces(contact: Contact) -> Callable[..., Any]:
     Returns
     -------
     callable
-        A function of jax arrays of float64, (n, dim), (n, dim) and (); ``None`` leaves what the contact has. It returns (n, dim).
+        A function of jax arrays of float64, (n, dim), (n, dim) and (); ``None`` keeps the value of the contact. It returns (n, dim).
 
     Raises
     ------
@@ -83,7 +82,7 @@ def equilibrium(contact: Contact, residual: Callable[[Any, Any], Any], free: Arr
     free : array_like
         As for ``find_equilibrium``.
     **options
-        Those of ``find_equilibrium``.
+        Options of ``find_equilibrium``.
 
     Returns
     -------

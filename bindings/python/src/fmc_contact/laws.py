@@ -1,4 +1,4 @@
-"""Interfaces that follow your own law: the points at which it is asked, what it answers, and a check by differences."""
+"""Interfaces that follow your own law: its input points, its output, and a check by differences."""
 
 from __future__ import annotations
 
@@ -26,8 +26,8 @@ class LawPoints:
     Attributes
     ----------
     jump : ndarray, (n, dim)
-        Opening beyond the gap at first, along the normal of the second body (length), negative where the bodies are pressed. Then how far the
-        first body has slid along the axes in the plane of the facet of the second.
+        Opening beyond the initial gap, along the normal of the second body (length), negative in compression. Then the slip of the first body along
+        the axes in the plane of the facet of the second.
     history : ndarray, (n, h)
         Numbers that the points carry, as the last step that was committed left them. 0 at first.
     time_step : float
@@ -35,15 +35,14 @@ class LawPoints:
     position, reference : ndarray, (n, dim)
         Where the points are on the first body, now and undeformed.
     axes : ndarray, (n, dim, dim)
-        Normal and axes in space, by rows. In 2D the axis is the normal turned by +90°. In 3D the first axis is the x axis projected into
-        the undeformed facet (the z axis, where the normal is within 0.1° of x), which goes along with the facet. The second is
-        normal × first.
+        Normal and tangential axes, by rows. In 2D the axis is the normal turned by +90°. In 3D the first axis is the x axis projected into the
+        undeformed facet (the z axis, where the normal is within 0.1° of x), which goes along with the facet. The second is normal × first.
     area : ndarray, (n,)
         Areas that the points stand for, undeformed.
     bodies : tuple of int
         The pair, the lower one first.
     fields : ndarray, (n, 2, m)
-        What ``contact.laws.set_fields`` gave, at the point of the first body and at that of the second.
+        Values of ``contact.laws.set_fields``, at the point of the first body and at the point of the second.
 
     Examples
     --------
@@ -67,7 +66,7 @@ class LawPoints:
 
 @dataclass(frozen=True, eq=False)
 class LawResponse:
-    """What your own law answers at n points. A tuple of the first two or three does as well.
+    """Output of your own law at n points. A tuple of the first two or three does as well.
 
     Attributes
     ----------
@@ -79,8 +78,8 @@ class LawResponse:
     history : array_like, (n, h), optional
         The history as it would be after a step that ends here. Default: as it was.
     stored, dissipated : array_like, (n,), optional
-        Energies by area that unloading would give back, and that have been dissipated since the beginning. Nothing but the energies
-        that are told depends on them. Default: 0.
+        Energies per area that unloading would give back, and that have been dissipated since the beginning. Only reported energies depend on them.
+        Default: 0.
 
     Examples
     --------
@@ -101,7 +100,7 @@ InterfaceLaw = Callable[[LawPoints], Union[LawResponse, tuple[ArrayLike, ...]]]
 
 
 def _asked(law: InterfaceLaw) -> Callable[..., None]:
-    """What the library calls: the law with arrays."""
+    """The function that the library calls: the law with arrays."""
 
     def respond(_user: object, points: int, response: int) -> None:
         given, to = fmc_law_points.from_address(points), fmc_law_response.from_address(response)
@@ -138,7 +137,7 @@ def _asked(law: InterfaceLaw) -> Callable[..., None]:
 
 
 def law_struct(law: InterfaceLaw, history: int, guard: Callable[..., Callable[..., int]]) -> tuple[fmc_own_law, Any]:
-    """A law for the library, and what has to live as long as it."""
+    """A law for the library, and the objects that must outlive it."""
     count = history_count(history, "point")
     if not callable(law):
         raise TypeError(f"law is {law!r}, expected a function of the points")
@@ -161,7 +160,7 @@ def check_law(
     """Sentences on your own law: whether the same question has the same answer, and whether its tangent is the derivative of its traction.
 
     Differences have steps of 1e-6 of ``scale``, and must agree to 1e-6 of the largest entry. Corners of a law, as where damage begins, are
-    recognised. The history is 0, and then what other jumps leave. What is wrong begins with a word and ``WRONG``.
+    recognised. The history is 0, and then the result of other jumps. A sentence about a fault begins with a word and ``WRONG``.
 
     Parameters
     ----------
@@ -188,9 +187,9 @@ def check_law(
     Raises
     ------
     InterfaceLawError
-        If the law answers what is not finite.
+        If the law returns a number that is not finite.
     DimensionError, NotPositiveError, LengthError
-        For values that cannot be. What the law raises comes out unchanged.
+        For impossible values. Exceptions of the law are reraised unchanged.
 
     Examples
     --------
@@ -229,9 +228,9 @@ class LawStates:
     jump : ndarray, (m, dim)
         Opening and sliding along these (length).
     traction : ndarray, (m, dim)
-        Traction along these (force by area): positive along the normal where the bodies are pulled apart.
+        Traction along these (force per area): positive along the normal in tension.
     stored, dissipated : ndarray, (m,)
-        Energies by area, as the law told them.
+        Energies per area, as the law returned them.
 
     Examples
     --------
@@ -282,7 +281,7 @@ class InterfaceLaws:
         LengthError, NonFiniteCoordinateError
             If the coordinates do not fit the mesh.
         InterfaceLawError
-            If a law answers what is not finite.
+            If a law returns a number that is not finite.
         UntiedError
             If other reference coordinates have left nothing of an interface.
 
@@ -335,7 +334,7 @@ class InterfaceLaws:
 
     @property
     def history(self) -> np.ndarray:
-        """What all points keep of the steps that were committed, in the order of ``points``, one point after the other.
+        """History of all points after the committed steps, in the order of ``points``, one point after the other.
 
         With the coordinates you need nothing else of them for a restart.
 

@@ -48,7 +48,7 @@ class Adjustment:
 
 
 class Mesh:
-    """The mesh of a contact: its boundary, its undeformed coordinates, its planes of symmetry, and what moves its nodes.
+    """The mesh of a contact: its boundary, its undeformed coordinates, its planes of symmetry, and the unknowns that move its nodes.
 
     Examples
     --------
@@ -122,9 +122,9 @@ class Mesh:
     def adjust(self, coords: ArrayLike, close: float = 0.0, remove: float = 0.0) -> Adjustment:
         """Closes gaps and removes overlaps without strain.
 
-        Where the mean gap of a surface point is no more than ``close``, or its overlap no more than ``remove``, the surface is taken to lie
-        beside its nodes from then on, of two bodies each half of the way. Nodes and their strains stay. Any law and friction go with it.
-        For an interference fit, adjust, and set smaller and smaller parts of ``offsets`` before each load step.
+        Where the mean gap of a surface point is at most ``close``, or its overlap at most ``remove``, the surface is offset from its nodes from then
+        on, with two bodies each by half of the distance. Nodes and their strains stay. It works with any law and with friction. For an interference
+        fit, adjust, then set a smaller part of ``offsets`` before each load step.
 
         Parameters
         ----------
@@ -138,7 +138,7 @@ class Mesh:
         Returns
         -------
         Adjustment
-            What was closed and removed, and what is left.
+            Closed gaps, removed overlaps, and the rest.
 
         Raises
         ------
@@ -161,7 +161,7 @@ class Mesh:
 
     @property
     def offsets(self) -> np.ndarray:
-        """How far the surface lies beside its nodes (length), (nodes, dim); with cells of second order (points, dim).
+        """Offset of the surface from its nodes (length), (nodes, dim); with cells of second order (points, dim).
 
         ``None`` sets it to nowhere. Offsets do not turn with bodies.
 
@@ -193,16 +193,16 @@ class Mesh:
             self._core.handle.call(library.fmc_context_set_offsets, rows, rows.size)
 
     def set_basis(self, matrix: Optional[Any]) -> None:
-        """Has the nodes moved by unknowns of your own: nodes = ``matrix`` @ unknowns.
+        """Lets your own unknowns move the nodes: nodes = ``matrix`` @ unknowns.
 
-        Unknowns may be control points of splines, or coefficients of hierarchical shape functions. From then on coordinates,
-        forces, tangents, masses and columns of gap constraints are those of the unknowns, (unknowns, dim). The undeformed mesh
-        stays, and so do the nodes of ``nodal_contact`` and ``set_symmetry_nodes``.
+        Unknowns may be control points of splines, or coefficients of hierarchical shape functions. From then on coordinates, forces, tangents, masses
+        and columns of gap constraints refer to the unknowns, (unknowns, dim). The undeformed mesh stays, and so do the nodes of ``nodal_contact`` and
+        ``set_symmetry_nodes``.
 
         Parameters
         ----------
         matrix : scipy.sparse matrix or array_like, (nodes, unknowns), or None
-            Weights of the unknowns at every node. ``None``: nodes move by themselves again.
+            Weights of the unknowns at every node. ``None``: the unknowns are again the positions of the nodes.
 
         Raises
         ------
@@ -246,7 +246,7 @@ class Mesh:
             self._core.handle.call(library.fmc_context_set_reference, byref(view.struct))
 
     def set_symmetry_planes(self, planes: Iterable[tuple[ArrayLike, ArrayLike]]) -> None:
-        """Says where planes of symmetry are, in place of what was said before.
+        """Sets planes of symmetry, and replaces earlier ones.
 
         For the law ``"depth"`` a face without deformation in one of them is no surface, since the body goes on behind it. The host
         holds the nodes of such faces in their plane.
@@ -279,9 +279,8 @@ class Mesh:
     def set_surface_smoothing(self, feature_angle: float) -> None:
         """Has straight faces that stand for round surfaces measured as these.
 
-        Where faces of first order meet at less than the angle, the surface between them is the smooth one whose normals at the nodes
-        are those of the faces around each. It is for the law ``"depth"`` between two bodies. Curved faces of second order are
-        measured as curved in any case.
+        Where faces of first order meet at less than the angle, the surface between them is smooth. Its normal at a node follows from the faces around
+        the node. It is for the law ``"depth"`` between two bodies. Curved faces of second order are measured as curved in any case.
 
         Parameters
         ----------
@@ -315,7 +314,7 @@ class Mesh:
         Returns
         -------
         int
-            Number of the part: 1, 2, ... It stays what it is on other reference coordinates.
+            Number of the part: 1, 2, ... It does not depend on the reference coordinates.
 
         Raises
         ------
@@ -351,7 +350,7 @@ class Mesh:
         return int(surface[0])
 
     def set_symmetry_nodes(self, nodes: ArrayLike) -> None:
-        """Names the nodes that lie in planes of symmetry, in place of what was said before.
+        """Names the nodes that lie in planes of symmetry, and replaces earlier ones.
 
         The planes are those in which the faces lie all of whose nodes are named, the fewest that hold all these nodes: see
         ``set_symmetry_planes``. A face of the contact surface in a corner between two planes is none. With cells of second order the

@@ -1,4 +1,4 @@
-"""Penetration tolerance for any iteration: the augmented Lagrangian, as surfaces that are moved out until they press without it."""
+"""Penetration tolerance for any iteration: the augmented Lagrangian, as surfaces shifted until they press without penetration."""
 
 from __future__ import annotations
 
@@ -46,10 +46,10 @@ class Augmentation:
 
 
 class Multipliers:
-    """Multipliers of the augmented Lagrangian: how far surfaces are moved out, so that they press without penetration.
+    """Multipliers of the augmented Lagrangian: shifts of surfaces, so that they press without penetration.
 
-    All other results of the contact, such as forces and tangents, are those of the moved surfaces. ``gap_constraints`` are those of
-    the true surfaces. Multipliers stay for the next load step until ``release`` is called.
+    All other results of the contact, such as forces and tangents, refer to the shifted surfaces. ``gap_constraints`` refers to the true surfaces.
+    Multipliers stay for the next load step until ``release`` is called.
 
     Examples
     --------

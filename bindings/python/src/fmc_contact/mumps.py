@@ -105,7 +105,7 @@ class _Factors:
         return found
 
     def solve(self, right: np.ndarray) -> np.ndarray:
-        """Solution for ``rest``, with what is kept held."""
+        """Solution for ``rest``, with the retained unknowns fixed."""
         if right.ndim > 1:
             return np.stack([self.solve(column) for column in right.T], axis=1)
         whole = self._right.getArray()

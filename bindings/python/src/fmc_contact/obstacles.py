@@ -24,7 +24,7 @@ class Obstacle(NamedTuple):
     Attributes
     ----------
     shape : str
-        What stands after ``add_`` in the method that added it: ``"half_space"``, ``"ball"``, ...
+        Name of the method that added it, without ``add_``: ``"half_space"``, ``"ball"``, ...
     pose : Pose
         Its pose. A flat obstacle made by a point and a normal is a ``"half_space"`` with a pose.
 
@@ -519,7 +519,7 @@ class Obstacles:
     def remove(self, obstacle: int) -> None:
         """Removes an obstacle, and the options of its pairs.
 
-        The others keep their indices. Its own index is not given again, and ``Result.obstacles`` has a resultant of zero there.
+        All other obstacles keep their indices. Its index is not reused, and ``Result.obstacles`` has a resultant of zero there.
 
         Parameters
         ----------
@@ -547,8 +547,8 @@ class Obstacles:
 
         At first they do not. With n nodes and m obstacles the rotation of obstacle o is node n + m + o: a rotation vector about the
         position of its pose, which moves along. In 2D its first entry is the angle, and the second has only zeros. The tangent is
-        the second derivative of the energy: the moment M about the position changes by -K dtheta + dtheta x M / 2. Friction
-        adds what its own tangent has. With the law ``"fiber"`` such a tangent raises ``UnsupportedError``.
+        the second derivative of the energy: the moment M about the position changes by -K dtheta + dtheta x M / 2. Friction adds the terms of its
+        tangent. With the law ``"fiber"`` such a tangent raises ``UnsupportedError``.
 
         Parameters
         ----------

@@ -1,4 +1,4 @@
-"""Options as keywords. Names, values and defaults are the library's: what is not given keeps the default."""
+"""Options as keywords. The library defines names, values and defaults; an option that is not given keeps its default."""
 
 from __future__ import annotations
 
@@ -94,8 +94,8 @@ class Options(OtherOptions, total=False):
     self_contact : bool
         Whether the overlap of each body with itself is evaluated. Default: False.
     friction_coefficient : float
-        Coefficient of Coulomb friction, for all pairs without one of their own. Default: 0. With friction, steps are begun and
-        committed (``contact.friction``), and the tangent is unsymmetric.
+        Coefficient of Coulomb friction, for all pairs without a separate one. Default: 0. With friction, steps are begun and committed
+        (``contact.friction``), and the tangent is unsymmetric.
     friction_stiffness : float
         Tangential stiffness of sticking contact (pressure per length). 0, the default: the stiffness of the law at first touch,
         which ``"volume"`` does not have.
@@ -108,17 +108,16 @@ class Options(OtherOptions, total=False):
         It is smooth and transfers nothing between steps, so that sticking contact creeps. 0, the default: friction with memory.
         Excludes ``friction_stiffness``.
     static_coefficient : float
-        Coefficient of friction of what rests, at least ``friction_coefficient``, to which it falls as it slides. A facet that sticks
-        throughout a step rests. 0, the default: one coefficient. Excludes ``memoryless_slip``.
+        Static coefficient of friction, at least ``friction_coefficient``, to which it falls with the slip. A facet that sticks throughout a step
+        rests. 0, the default: one coefficient. Excludes ``memoryless_slip``.
     weakening_slip : float
         Slip (length) over which the coefficient falls, in proportion. Positive with ``static_coefficient``, else 0, the default.
     weld : float
-        Distance (length) within which nodes of one body are taken as one for contact, for meshes whose nodes were not merged. Smaller
-        than every edge; it belongs to the mesh and cannot change. ``contact.mesh.welded_node_count`` tells how many were. 0, the
-        default: none.
+        Distance (length) within which contact treats nodes of one body as one node, for meshes whose nodes were not merged. It is smaller than every
+        edge, and cannot change later. ``contact.mesh.welded_node_count`` is the number of removed nodes. 0, the default: none.
     axisymmetric : bool
-        Axisymmetry in 2D: coordinates are (r, z) with r >= 0, and volumes, areas, energies and forces are those of whole rings.
-        Default: False. Not with isotropic fibers.
+        Axisymmetry in 2D: coordinates are (r, z) with r >= 0, and volumes, areas, energies and forces refer to whole rings. Default: False. Not with
+        isotropic fibers.
     check_cells : bool
         Whether every evaluation checks the orientation of every cell. Default: True.
     threads : int

@@ -1,4 +1,4 @@
-"""Options of single pairs: excluded, or with a law of their own."""
+"""Options of single pairs: excluded, or with a separate law."""
 
 from __future__ import annotations
 
@@ -72,7 +72,7 @@ def _orthotropic(across: Optional[float], direction: Optional[Iterable[float]], 
 
 
 class Pairs:
-    """Options of single pairs: a pair is excluded, or has a law of its own.
+    """Options of single pairs: a pair is excluded, or has a separate law.
 
     A partner is a body by its number among ``Result.bodies``, or ``("body", number)`` or ``("obstacle", number)``. The order of the
     two does not matter. After an error the options are as they were.
@@ -122,10 +122,9 @@ class Pairs:
         history: int = 0,
         friction_law: Optional[FrictionLaw] = None,
     ) -> None:
-        """Gives a pair options of its own, in place of those it had.
+        """Sets the options of a pair, and replaces earlier ones.
 
-        A body with itself (``a == b``) is evaluated against itself if this is called without ``excluded``, whatever the option
-        ``self_contact`` says.
+        A body with itself (``a == b``) is evaluated against itself if this is called without ``excluded``, whatever the option ``self_contact``.
 
         Parameters
         ----------
@@ -142,10 +141,10 @@ class Pairs:
         exponent, smoothing_length : float, optional
             Of the laws ``"volume"`` and ``"fiber"``, as in ``Options``.
         friction_coefficient : float, optional
-            Coefficient of the pair, which may be infinite: it then never slides. All else of its friction comes from the options of the
-            contact, but that at rest. Of a cohesive interface: what is broken and pressed rubs with it.
+            Coefficient of the pair, which may be infinite: it then never slides. All other options of its friction come from the contact, except
+            friction at rest. For a cohesive interface: coefficient of the broken part under pressure.
         static_coefficient, weakening_slip : float
-            Friction of the pair at rest, as in ``Options``. Default: that of the contact, or none with a ``friction_coefficient``.
+            Friction of the pair at rest, as in ``Options``. Default: as for the contact, or none with a ``friction_coefficient``.
         gap_offset : float
             Distance (length) at which contact begins. Penetration, gap and pressure are counted from there. The surface of an
             obstacle is taken to lie so much further out, as with a shell's thickness or a coating. A negative offset is a
@@ -159,23 +158,23 @@ class Pairs:
         interface : str
             ``"contact"``, or ``"tied"``: two bodies go together where their undeformed faces lie opposite each other, and are in no
             contact anywhere. See ``tie``. ``"cohesive"``: they are held together there until they break. See ``contact.cohesive``.
-            ``"no_separation"``: they slide on each other there without friction, and do not separate. Points that lie opposite each other
-            are found again by ``friction.begin_step``, ``friction.commit_step`` and updates of multipliers. ``"rough"``: contact that
-            never slides where it is closed. ``"law"``: they are held together by your own law. See ``contact.laws``.
+            ``"no_separation"``: they slide on each other there without friction, and do not separate. ``friction.begin_step``,
+            ``friction.commit_step`` and updates of multipliers search again for the points that face each other. ``"rough"``: contact that never
+            slides where it is closed. ``"law"``: they are held together by your own law. See ``contact.laws``.
         reach : float
             Of bodies that are tied, held together or slide without separation: the largest gap or overlap between faces that belong
             together (length). A gap stays as it is. 0: a tenth of the mean facet of the body with the larger facets, all its faces included.
         normal_strength, shear_strength : float
-            Of a cohesive interface: the tractions at which damage begins in pure opening and in pure sliding. That of sliding is by
-            default that of opening.
+            Of a cohesive interface: the tractions at which damage begins in pure opening and in pure sliding. The value for sliding is by default
+            equal to the value for opening.
         normal_energy, shear_energy : float
-            Energy by area that pure opening and pure sliding take until the interface is broken. That of sliding is by default that of
-            opening.
+            Energy per area that pure opening and pure sliding take until the interface is broken. The value for sliding is by default equal to the
+            value for opening.
         mixed_mode_exponent : float
             Exponent, at least 1, by which the two are mixed (Benzeggagh and Kenane). 0: 2.
         softening : str
-            How the traction falls: ``"linear"`` or ``"exponential"``. ``"ppr"``: it rises and falls by the potential of Park, Paulino
-            and Roesler, which has no ``stiffness``, ``mixed_mode_exponent`` or ``viscosity`` beside it.
+            How the traction falls: ``"linear"`` or ``"exponential"``. ``"ppr"``: it rises and falls by the potential of Park, Paulino and Roesler,
+            without ``stiffness``, ``mixed_mode_exponent`` or ``viscosity``.
         viscosity : float
             A time by which damage lags behind the law, so that searches pass where a structure snaps. Say how long steps take with
             ``contact.cohesive.set_time_step``.
@@ -328,7 +327,7 @@ class Pairs:
             self._core.handle.call(library.fmc_context_set_pair_options, *_named(a), *_named(b), options)
 
     def options(self, a: Partner, b: Partner) -> dict[str, Any]:
-        """The options of a pair; without options of its own those that apply to it.
+        """The options of a pair; without separate options the ones that apply to it.
 
         Parameters
         ----------
@@ -338,7 +337,7 @@ class Pairs:
         Returns
         -------
         dict
-            The keywords of ``set``. ``None`` where the value is that of the contact.
+            The keywords of ``set``. ``None`` where the value is taken from the contact.
 
         Raises
         ------
@@ -411,7 +410,7 @@ class Pairs:
             self._core.handle.call(library.fmc_context_set_pair_wear, *_named(a), *_named(b), float(wear_a), float(wear_b))
 
     def wear(self, a: Partner, b: Partner) -> tuple[float, float]:
-        """What a pair wears by, as ``set_wear`` has set it.
+        """Wear coefficients of a pair, as set by ``set_wear``.
 
         Parameters
         ----------
@@ -449,7 +448,7 @@ class Pairs:
         Returns
         -------
         Tie
-            What is tied. Its area is 0 where the bodies are not tied.
+            Area, gap and reach of the tie. Its area is 0 where the bodies are not tied.
 
         Raises
         ------

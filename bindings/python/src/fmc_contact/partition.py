@@ -79,15 +79,15 @@ class PartitionedFriction(FrictionSteps):
     def carried_slip(self) -> np.ndarray:
         """Elastic slip carried into the step, where it is not zero: a structured array of type ``CARRIED_SLIP``, (m,).
 
-        It is the same on all ranks. For a restart on any number of ranks you need it with the coordinates and poses at which the
-        step began: call ``begin_step`` there, then set it, the same on all ranks. What is not listed has none.
+        It is the same on all ranks. A restart on any number of ranks needs it, and the coordinates and poses at which the step began. Call
+        ``begin_step`` there, then set it, the same on all ranks. Facets that are not listed have none.
 
         Raises
         ------
         NoStepError
             If no step has begun.
         NonFiniteSlipError, IndexOutOfRangeError, UnsupportedError
-            On setting: if an entry is not finite, a row names what does not exist, or a facet was not gathered.
+            On setting: if an entry is not finite, a row names an index that does not exist, or a facet was not gathered.
 
         Examples
         --------
@@ -112,9 +112,9 @@ class PartitionedFriction(FrictionSteps):
 class PartitionedContact(Contact):
     """Contact of a mesh of which every rank has a part. All ranks make the same calls.
 
-    ``set_coords`` takes the current coordinates of the own nodes. Afterwards this is the contact of the cells that may be in contact,
-    which all ranks have. Results are bit-for-bit identical to those of one rank with the whole mesh. Hanging nodes, a
-    basis, another reference and another communicator raise ``UnsupportedError``.
+    ``set_coords`` takes the current coordinates of the own nodes. Afterwards this is a contact of the cells that may be in contact, which all ranks
+    have. Results are bit-for-bit identical to one rank with the whole mesh. Hanging nodes, a basis, another reference and another communicator raise
+    ``UnsupportedError``.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""The points of which a contact tells, as combinations of nodes."""
+"""The points of a contact's results, as combinations of nodes."""
 
 from __future__ import annotations
 

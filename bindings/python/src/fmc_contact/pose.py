@@ -16,7 +16,7 @@ from ._structs import fmc_pose
 class Pose:
     """Position, rotation and scale: a point X of the shape is at ``position + scale * rotation @ X``.
 
-    ``Obstacles.set_pose`` leaves a rotation or a scale that is not given as the obstacle has it.
+    ``Obstacles.set_pose`` keeps the obstacle's rotation or scale if it is not given.
 
     Parameters
     ----------

@@ -14,7 +14,7 @@ from ._structs import fmc_all_gather, fmc_all_to_all, fmc_communicator, fmc_rank
 
 
 class Communicator(Protocol):
-    """What is used of a communicator: one of mpi4py, or anything with the same three.
+    """The required part of a communicator: one of mpi4py, or any object with these three.
 
     If it has ``Alltoallv`` too, as communicators of mpi4py have, messages for single ranks go to these alone.
 
@@ -33,7 +33,7 @@ class Communicator(Protocol):
 
 @dataclass(frozen=True)
 class RankCounts:
-    """What ranks did since the communicator was set. All are of this rank, except ``item_count``.
+    """Work since the communicator was set: of this rank, except ``item_count``.
 
     Attributes
     ----------
@@ -81,9 +81,9 @@ class Ranks:
     def set_communicator(self, comm: Optional[Communicator]) -> None:
         """Shares the work of evaluations among the ranks of a communicator.
 
-        From then on every rank makes the same calls with the same coordinates, options, obstacles and history. Every rank gets the
-        whole result, bit-for-bit identical to that of one rank. An evaluation that fails on one rank raises ``OnOtherRankError`` on the
-        others. Ranks that were given different things all raise ``RanksDifferError``.
+        From then on every rank makes the same calls with the same coordinates, options, obstacles and history. Every rank gets the whole result,
+        bit-for-bit identical to one rank. An evaluation that fails on one rank raises ``OnOtherRankError`` on all other ranks. If ranks were given
+        different data, all raise ``RanksDifferError``.
 
         Parameters
         ----------
@@ -115,7 +115,7 @@ class Ranks:
         self.comm = comm
 
     def counts(self) -> RankCounts:
-        """What was shared since the communicator was set; zeros without one.
+        """Shared work since the communicator was set; zeros without a communicator.
 
         Returns
         -------

@@ -103,7 +103,7 @@ class Pair:
     spacing : float
         Spacing of the fibers; 0 for the estimator ``"exact"``. As the option ``spacing`` it gives the same pattern again.
     friction : Friction
-        Friction of the pair. Its ``largest_slip`` is that of all pairs.
+        Friction of the pair. Its ``largest_slip`` is the largest of all pairs.
     force : ndarray, (dim,)
         Force of ``a`` on ``b``, friction included; that of ``b`` on ``a`` is its negative. 0 for a body that overlaps itself; of a tie of
         a body with itself the force on part B.
@@ -246,7 +246,7 @@ def _warning(handle: Handle, index: int) -> ContactWarning:
 
 
 def gather(handle: Handle, forces: np.ndarray, found: fmc_result, dim: int) -> Result:
-    """The result of the evaluation that has just succeeded, copied from what the library keeps until the next one."""
+    """The result of the last successful evaluation, copied from the library, which keeps it until the next one."""
     body, obstacle = library.fmc_context_body_resultant, library.fmc_context_obstacle_resultant
     return Result(
         forces,

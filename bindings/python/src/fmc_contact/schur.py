@@ -102,7 +102,7 @@ class _Whole:
         return found
 
     def solve_rest(self, right: np.ndarray) -> np.ndarray:
-        """Solution for ``rest`` with what is kept held: the forces that hold it are found by a first solve, in which it moves."""
+        """Solution for ``rest`` with the retained unknowns fixed. A first solve, in which they move, finds their reactions."""
         whole = np.zeros((len(self.order) + len(self._held), *right.shape[1:]))
         whole[: self.count] = right[self.order]
         whole[self.count :] = -self._held @ self.factors.solve(whole)[self.count :]

@@ -1,6 +1,6 @@
 """Where the nodes of cells of second order stand, for adapters: after the corners, each in the middle of some of them.
 
-Nodes are in the order of meshio, which is that of VTK: corners, middles of edges, of quadrilateral faces, of the cell.
+Nodes are in the order of meshio, which is VTK's: corners, middles of edges, of quadrilateral faces, of the cell.
 """
 
 from __future__ import annotations
@@ -40,13 +40,13 @@ def of_nodes(straight: str, nodes: int) -> str | None:
 
 
 def readings(cell_type: str, corners: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """How nodes follow a field of any order: places in a cell with these ``corners``, (corners, dim); weights of the field
-    there for every node, (nodes, places); and, (faces, places), what must vanish for uniform pressure to be brought back right.
+    """Returns the relation of nodes to a field of any order: places in a cell with these ``corners``, (corners, dim); and weights of the field there
+    for every node, (nodes, places). Third, (faces, places), weights of sums of the field that must vanish for uniform pressure to be transferred
+    exactly.
 
-    A corner is where the field has it. The middle of an edge is where the edge of second order has the field's mean, and so is
-    the middle of a quadrilateral face: volume below a face, and with it uniform pressure, is then that of the field, whatever
-    its order. To third order on edges this is the field in their middle. Faces of tetrahedra have no node of their own:
-    functions of third order that stand on them cannot be read.
+    A corner has the field's value there. The middle of an edge is set so that the edge of second order has the field's mean, and so is the middle of
+    a quadrilateral face. The volume below a face, and with it uniform pressure, is then exact for a field of any order. Up to third order on edges
+    this is the field in their middle. Faces of tetrahedra have no node: functions of third order on these faces cannot be read.
     """
     dim, middles = corners.shape[1], MIDDLES[cell_type]
     at, weight = np.polynomial.legendre.leggauss(_GAUSS)

@@ -1,4 +1,4 @@
-"""Rigid shapes as data, each in a frame of its own."""
+"""Rigid shapes as data, each in its own frame."""
 
 from __future__ import annotations
 
@@ -31,9 +31,9 @@ class Shape:
     Parameters
     ----------
     kind : str
-        What stands after ``add_`` in the method of ``Obstacles`` for this shape: ``"half_space"``, ``"ball"``, ``"cuboid"``,
-        ``"cylinder"``, ``"cone"``, ``"capsule"``, ``"polytope"``, ``"convex_hull"``, ``"height_field"``, ``"compound"`` or
-        ``"signed_distance"``. That method says which of the other parameters the shape has.
+        Name of the method of ``Obstacles`` for this shape, without ``add_``: ``"half_space"``, ``"ball"``, ``"cuboid"``, ``"cylinder"``, ``"cone"``,
+        ``"capsule"``, ``"polytope"``, ``"convex_hull"``, ``"height_field"``, ``"compound"`` or ``"signed_distance"``. See this method for the other
+        parameters of the shape.
     radius, half_height : float
         Of a ball, a cylinder, a cone and a capsule.
     half_extents : array_like, (dim,)
@@ -88,7 +88,7 @@ class Shape:
         return f"Shape('{self.kind}')"
 
     def _struct(self, dim: int, guard: Guard, kept: list[Any]) -> fmc_shape:
-        """The shape for the library; what it points to is put into ``kept``."""
+        """The shape for the library; ``kept`` receives the objects to which it points."""
         struct = fmc_shape()
         check(library.fmc_shape_init(byref(struct), SHAPES.index(self.kind)))
         struct.radius, struct.half_height, struct.thickness = self.radius, self.half_height, self.thickness

@@ -19,7 +19,7 @@ class Triplets(NamedTuple):
 
 
 class Skin:
-    """Traces one after another: nodes and points of the first, then those of the second, ..."""
+    """Traces one after another: nodes and points of the first, then of the second, ..."""
 
     facets: np.ndarray
     """Points of all flat facets, (count, dim)."""
@@ -42,7 +42,7 @@ class Skin:
             self._parts = [_Part(trace) for trace in traces]
 
     def points(self, at_nodes: np.ndarray) -> np.ndarray:
-        """What the nodes have, (nodes, dim), at the points."""
+        """Values of the nodes, (nodes, dim), at the points."""
         if self.prolongation is None:
             return at_nodes
         return np.concatenate([part.points(at) for part, at in zip(self._parts, _cut(at_nodes, self.first_node))])
@@ -54,7 +54,7 @@ class Skin:
         return np.concatenate([part.to_nodes(at) for part, at in zip(self._parts, _cut(forces, self._first_point))])
 
     def at_nodes(self, values: np.ndarray) -> np.ndarray:
-        """What the points have, (points, ...), at the nodes, which are points."""
+        """Values of the points, (points, ...), at the nodes, which are points."""
         if self.prolongation is None:
             return values
         return np.concatenate([at[:count] for at, count in zip(_cut(values, self._first_point), self._node_counts)])

@@ -67,7 +67,7 @@ def contact_force_step(
     bodies: Optional[ArrayLike] = None,
     **options: Unpack[OtherOptions],
 ) -> tuple[Result, np.ndarray]:
-    """Contact forces with friction at the end of a step, in one call. A rejected step leaves nothing to be undone.
+    """Contact forces with friction at the end of a step, in one call. A rejected step needs no undoing.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Bodies that are tied: what is tied, its tractions and jumps, and the tie as equations."""
+"""Tied bodies: their tied area, its tractions and jumps, and the tie as equations."""
 
 from __future__ import annotations
 
@@ -57,7 +57,7 @@ class TieNodes:
     area : ndarray, (m,)
         Area that the node stands for.
     traction : ndarray, (m, dim)
-        Traction on its body (force by area).
+        Traction on its body (force per area).
     jump : ndarray, (m, dim)
         Mean of how far its body has moved away from the other one (length).
 

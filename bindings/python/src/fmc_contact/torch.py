@@ -1,7 +1,7 @@
 """Contact energy and forces as functions that PyTorch differentiates.
 
-``energy`` is twice differentiable by coordinates. An operator tells its contact the undeformed coordinates and the stiffness that it
-is called with, so that the contact is the operator's alone. Tensors are of float64 on the CPU.
+``energy`` is twice differentiable by coordinates. An operator sets the undeformed coordinates and the stiffness of its contact in each call, so do
+not share the contact. Tensors are of float64 on the CPU.
 
 ``equilibrium`` is the equilibrium of bodies that PyTorch has the residual of, by their parameters.
 """
@@ -30,7 +30,7 @@ def energy(contact: Contact) -> Callable[..., Any]:
     Returns
     -------
     callable
-        A function of tensors of float64, (n, dim), (n, dim) and (); ``None`` leaves what the contact has. It returns a ().
+        A function of tensors of float64, (n, dim), (n, dim) and (); ``None`` keeps the value of the contact. It returns a ().
 
     Raises
     ------
@@ -51,7 +51,7 @@ def forces(contact: Contact) -> Callable[..., Any]:
     Returns
     -------
     callable
-        A function of tensors of float64, (n, dim), (n, dim) and (); ``None`` leaves what the contact has. It returns (n, dim).
+        A function of tensors of float64, (n, dim), (n, dim) and (); ``None`` keeps the value of the contact. It returns (n, dim).
 
     Raises
     ------
@@ -78,7 +78,7 @@ def equilibrium(contact: Contact, residual: Callable[[Any, Any], Any], free: Arr
     free : array_like
         As for ``find_equilibrium``.
     **options
-        Those of ``find_equilibrium``.
+        Options of ``find_equilibrium``.
 
     Returns
     -------

@@ -1,4 +1,4 @@
-"""Wear: what sliding takes from the surfaces."""
+"""Wear: loss of surfaces by sliding."""
 
 from __future__ import annotations
 
@@ -18,10 +18,10 @@ WIDTH = 4
 
 
 class Wear:
-    """What is worn off the bodies, by Archard's law; ``pairs.set_wear`` switches it on.
+    """Wear of the bodies, by Archard's law; ``pairs.set_wear`` switches it on.
 
-    Surfaces wear in ``friction.commit_step`` alone. A side that has slid by s under the pressure p then loses K p s of its depth: contact
-    takes its surface to lie so much farther in. Coordinates and strains of your mesh stay.
+    Surfaces wear in ``friction.commit_step`` alone. A side that has slid by s under the pressure p then loses K p s of its depth: contact sees its
+    surface recessed by this depth. Coordinates and strains of your mesh stay.
 
     Examples
     --------
@@ -45,7 +45,7 @@ class Wear:
 
     @property
     def depth(self) -> np.ndarray:
-        """How far the surface lies farther in at every node (length), (nodes,).
+        """Worn depth of the surface at every node (length), (nodes,).
 
         Raises
         ------
@@ -63,7 +63,7 @@ class Wear:
 
     @property
     def volumes(self) -> np.ndarray:
-        """What every body has lost: a volume, in 2D by unit of thickness, (bodies,).
+        """Volume that every body has lost, in 2D per unit thickness, (bodies,).
 
         Raises
         ------
@@ -81,7 +81,7 @@ class Wear:
 
     @property
     def facets(self) -> np.ndarray:
-        """What was worn off, by facet: a row for each facet and each node that moves it, where there is wear, (rows, 4).
+        """State of wear, by facet: a row for each worn facet and each node that moves it, (rows, 4).
 
         Columns: the facet, by its place in ``contact.mesh.boundary_facets()``; the node from 0, with cells of second order the point; the
         depth (length) against the normal of the facet; and the volume. For a restart set the rows, call ``friction.begin_step``, then
@@ -94,7 +94,7 @@ class Wear:
         IndexOutOfRangeError
             If a row names a facet that does not exist, a node that does not move it, or both twice, or is no such row.
         NotPositiveError
-            If a depth or volume is negative or not finite. What was worn before then stays.
+            If a depth or volume is negative or not finite. The old state is then kept.
         UnsupportedError
             For a mesh in parts.
 

@@ -23,16 +23,16 @@ from .unknowns import Unknowns
 class DolfinxContact(Linearised, SmoothesSurfaces):
     """Contact between all bodies of one space or of several, and with the obstacles that are added to ``contact``.
 
-    On more than one rank the mesh is in parts: each rank has its own cells and, of the others, only those that may be in contact. If that is
-    not possible, every rank has the whole mesh, and ``whole_because`` says why. First-order meshes with the estimator ``"fibers"`` are
-    passed as their boundary, on every rank. The ranks share the work, and each takes the forces on what it owns. Results do not depend on
-    the number of ranks, and errors on one rank are raised on all. All methods are collective, and so is all that evaluates in ``contact``.
+    On more than one rank the mesh is in parts: each rank has its own cells, and the cells of other ranks that may be in contact. If that is not
+    possible, every rank has the whole mesh, and ``whole_because`` is the reason. First-order meshes with the estimator ``"fibers"`` are passed as
+    their boundary, on every rank. The ranks share the work, and each takes the forces on its unknowns. Results do not depend on the number of ranks,
+    and errors on one rank are raised on all. All methods are collective, and so is all that evaluates in ``contact``.
 
     Parameters
     ----------
     spaces : FunctionSpace or list of FunctionSpace
-        Displacements, each on a mesh of its own: Lagrange of order 1 or 2 (curved meshes too), or another continuous element, such as
-        Lagrange of higher order on triangles, quadrilaterals and hexahedra, and serendipity of second order.
+        Displacements, each on a separate mesh: Lagrange of order 1 or 2 (curved meshes too), or another continuous element. Examples are Lagrange of
+        higher order on triangles, quadrilaterals and hexahedra, and serendipity of second order.
     stiffness : float, optional
         Stiffness of the law: pressure per length for the default law. Default 0: ``find_equilibrium`` finds one from the bodies' matrix, and
         every rank has the whole mesh. Until then an evaluation raises ``NoStiffnessError``.
@@ -41,7 +41,7 @@ class DolfinxContact(Linearised, SmoothesSurfaces):
     whole_mesh : bool, optional
         True: every rank has all nodes and cells. False: the nodes of the boundary only, for first order and the law ``"fiber"``.
     in_parts : bool, optional
-        True: the mesh is in parts, also on one rank; ``ValueError`` says why it cannot be. False: every rank has the whole mesh.
+        True: the mesh is in parts, also on one rank; ``ValueError`` gives the reason if that is impossible. False: every rank has the whole mesh.
     share_work : bool
         False: every rank has the whole mesh and does all the work, so that ``contact`` may be evaluated on one rank.
     **options : OtherOptions
@@ -250,7 +250,7 @@ class DolfinxContact(Linearised, SmoothesSurfaces):
         Returns
         -------
         Function or list of Function
-            Scalars on the scalar space below that of the displacement, vectors on the space itself; a list for several spaces.
+            Scalars on the scalar space below the displacement's, vectors on the space itself; a list for several spaces.
 
         Raises
         ------
@@ -353,7 +353,7 @@ class DolfinxContact(Linearised, SmoothesSurfaces):
         return together(self.comm, lambda: self.contact.patches.keep(coords))
 
     def add_forces(self, vectors: Any, result: Result, scale: float = 1.0, bcs: Sequence[Any] = ()) -> None:
-        """Adds ``scale`` times the forces of ``evaluate`` to what this rank owns.
+        """Adds ``scale`` times the forces of ``evaluate`` to the unknowns of this rank.
 
         Call it after contributions of ghosts were added up.
 
@@ -379,7 +379,7 @@ class DolfinxContact(Linearised, SmoothesSurfaces):
             replica.add_rows(target if isinstance(target, np.ndarray) else target.array, mine)
 
     def force(self, *displacements: Any) -> Any:
-        """Contact forces on what this rank owns.
+        """Contact forces on the unknowns of this rank.
 
         Parameters
         ----------
@@ -399,7 +399,7 @@ class DolfinxContact(Linearised, SmoothesSurfaces):
         return self.on_unknowns(self.evaluate(*displacements).forces)
 
     def on_unknowns(self, forces: np.ndarray) -> Any:
-        """Brings the forces of ``evaluate`` to what this rank owns.
+        """Transfers the forces of ``evaluate`` to the unknowns of this rank.
 
         Parameters
         ----------

@@ -44,8 +44,7 @@ SECOND_ORDER = {
 
 
 def places(kind: str, cell_type: str) -> list[tuple[int, int]]:
-    """Dimension and number of what every node of ``cell_type`` stands on in basix' cell of this kind, in the order of
-    ``fmc_contact``."""
+    """Dimension and number of the entity of basix' cell on which every node of ``cell_type`` lies, in the order of ``fmc_contact``."""
     corners = TENSOR_ORDER[CELL_TYPES[kind]]
     numbers = {}
     for dim, entities in enumerate(basix.topology(getattr(basix.CellType, kind))):

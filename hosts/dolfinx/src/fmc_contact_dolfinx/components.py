@@ -10,8 +10,8 @@ from .replica import gather_rows
 
 
 def components(mesh: Any) -> np.ndarray:
-    """Component of every cell that this rank owns, counted in the order in which the cells of the input come to them. What
-    is sent are faces between ranks. Collective."""
+    """Component of every cell that this rank owns, counted in the order in which the cells of the input come to them. Ranks exchange the faces
+    between them. Collective."""
     from dolfinx import mesh as dmesh
     from scipy.sparse import csr_matrix
     from scipy.sparse.csgraph import connected_components

@@ -28,7 +28,7 @@ def add_entries(petsc: Any, matrix: Any, rows: np.ndarray, cols: np.ndarray, val
 
 
 def _make_room(petsc: Any, matrix: Any, rows: np.ndarray, cols: np.ndarray) -> None:
-    """Allocates a matrix anew, with what it has, where there are many rows with places at which nothing was added before."""
+    """Reallocates a matrix with its values, if many rows have new places."""
     if matrix.getType() not in ("seqaij", "mpiaij"):
         return
     width = matrix.getSize()[1]
@@ -55,7 +55,7 @@ def _make_room(petsc: Any, matrix: Any, rows: np.ndarray, cols: np.ndarray) -> N
 
 
 def _sum(one: csr_matrix, other: csr_matrix) -> csr_matrix:
-    """With zeros where both have none but places; a sum of ``scipy`` leaves these out."""
+    """It keeps places with zeros; a sum of ``scipy`` drops them."""
     one, other = one.tocoo(), other.tocoo()
     places = np.concatenate([one.row, other.row]), np.concatenate([one.col, other.col])
     return csr_matrix((np.concatenate([one.data, other.data]), places), one.shape)

@@ -19,17 +19,17 @@ from .together import together
 def find_equilibrium(problem: ContactProblem, solver: Any = None, **options: Any) -> Equilibrium:
     """Equilibrium at the end of a load step, by ``fmc_contact.find_equilibrium``. On any number of ranks; collective.
 
-    The displacements are those of the step's start, best the last equilibrium, not yet moved by the boundary conditions. They receive the
-    solution, or stay where they are if there is none. On several ranks all of them make the same search, each with the values of all
-    unknowns, and share matrices and linear systems.
+    The displacements belong to the start of the step, best the last equilibrium, before the boundary conditions move them. They receive the solution,
+    or stay where they are if there is none. On several ranks all of them make the same search, each with the values of all unknowns, and share
+    matrices and linear systems.
 
     Parameters
     ----------
     problem : ContactProblem
         Its boundary conditions give the prescribed unknowns at the end of the step. The contact may be made without a stiffness.
     solver : PETSc.KSP, optional
-        Linear solver, such as ``problem.iterative_solver()``. Default: on one rank that of ``fmc_contact.find_equilibrium``, which also
-        condenses the bodies; on several ranks MUMPS.
+        Linear solver, such as ``problem.iterative_solver()``. Default: on one rank as in ``fmc_contact.find_equilibrium``, which also condenses the
+        bodies; on several ranks MUMPS.
     **options
         As for ``fmc_contact.find_equilibrium``: ``tolerance``, ``penetration``, ``lagged``, ...
 
@@ -78,7 +78,7 @@ def _linearised(system: System, x: np.ndarray) -> tuple[np.ndarray, csr_matrix]:
 
 
 class _OnUnknowns:
-    """A contact in the numbering of all unknowns. Rows of its tangent are those of this rank."""
+    """A contact in the numbering of all unknowns. Its tangent has the rows of this rank."""
 
     def __init__(self, adapter: DolfinxContact, system: System) -> None:
         self.adapter, self.contact, self.unknowns, self._by_space = adapter, adapter.contact, system.unknowns, system.by_space

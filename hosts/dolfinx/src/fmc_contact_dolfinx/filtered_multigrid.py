@@ -11,10 +11,10 @@ from petsc4py import PETSc
 class FilteredMultigrid:
     """Algebraic multigrid, with the unknowns that feel contact solved directly in between.
 
-    Contact that is much stiffer than the bodies couples unknowns that multigrid does not see as neighbours, so that it converges ever
-    more slowly. With B a cycle of multigrid, P the unknowns that feel contact among all, and S = (Pᵀ A P)⁻¹, the preconditioner M has
-    I - M A = (I - B A)(I - P S Pᵀ A)(I - B A): two cycles and one direct solve on the contact. It is symmetric and positive definite if A
-    and B are, so that conjugate gradients take it. It is known as AMG with filtering (arXiv 2505.18576).
+    Contact that is much stiffer than the bodies couples unknowns that multigrid does not see as neighbours, so that it converges ever more slowly. B
+    is a cycle of multigrid, P selects the unknowns that feel contact, and S = (Pᵀ A P)⁻¹. The preconditioner M has I - M A = (I - B A)(I - P S Pᵀ
+    A)(I - B A): two cycles and one direct solve on the contact. It is symmetric and positive definite if A and B are, so that conjugate gradients
+    take it. It is known as AMG with filtering (arXiv 2505.18576).
 
     Levels are found from the bodies without contact: an aggregate that reaches from one body into the other moves as one, and coarser
     levels then see sliding badly. The matrix of each level follows from the matrix with contact.

@@ -1,4 +1,4 @@
-"""Each rank has its own cells, and of the others those that may be in contact."""
+"""Each rank has its own cells, and the cells of other ranks that may be in contact."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ def whole_because(
 
 
 class _Mesh(Mesh):
-    """Nodes are counted anew where other cells are gathered, so they are not named by numbers."""
+    """Node numbers change when other cells are gathered, so nodes are not named by numbers."""
 
     def set_symmetry_nodes(self, nodes: Any) -> None:
         """Raises ``TypeError``: see ``DolfinxContact.set_symmetry_blocks``."""
@@ -47,7 +47,7 @@ class _Mesh(Mesh):
 
 
 class InParts:
-    """What the contact is shown where no rank has all of it."""
+    """Mesh of the contact if no rank has all of it."""
 
     frame = 0
     contact: PartitionedContact
@@ -110,7 +110,7 @@ class InParts:
         return int(np.setdiff1d(self.contact.gathered_cells(), self._cell_numbers).size)
 
     def _at_own_nodes(self, owned: Sequence[np.ndarray]) -> np.ndarray:
-        """Values of what this rank owns at the nodes of its cells, of which other ranks own some. Collective."""
+        """Values of this rank's unknowns at the nodes of its cells, some of which other ranks own. Collective."""
         found = []
         for field, part, function, values in zip(self._fields, self._parts, self._displacements, owned):
             function.x.array[: values.size] = values.ravel()
@@ -119,14 +119,14 @@ class InParts:
         return found[0] if len(found) == 1 else np.concatenate(found)
 
     def coords(self, owned: Sequence[np.ndarray]) -> np.ndarray:
-        """Coordinates of the nodes gathered, of the displacements of what this rank owns. Collective."""
+        """Coordinates of the gathered nodes, from the displacements that this rank owns. Collective."""
         here = self._undeformed + self._at_own_nodes(owned)
         if together(self._comm, lambda: self.contact.set_coords(here)):
             self._number()
         return self.contact.coords
 
     def name(self, owned: Sequence[np.ndarray]) -> None:
-        """Names nodes in planes of symmetry, of marks of what this rank owns. Collective."""
+        """Names nodes in planes of symmetry, from marks of this rank's unknowns. Collective."""
         (nodes,) = np.nonzero(self._at_own_nodes(owned)[:, 0])
         together(self._comm, lambda: self._mesh.set_symmetry_nodes(nodes))
 
@@ -135,7 +135,7 @@ class InParts:
         return forces
 
     def at_nodes(self, values: np.ndarray) -> np.ndarray:
-        """What was found at the nodes gathered."""
+        """Results at the gathered nodes."""
         return values
 
     def between_points(self, tangent: Triplets) -> Triplets:

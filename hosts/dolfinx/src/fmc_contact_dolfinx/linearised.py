@@ -1,4 +1,4 @@
-"""The tangent of a contact on the unknowns of the spaces, and what stands in rows that this rank owns."""
+"""The tangent of a contact on the unknowns of the spaces, and its entries in the rows of this rank."""
 
 from __future__ import annotations
 
@@ -80,7 +80,7 @@ class Linearised:
         return self._shows.points.spaces(self.dim)
 
     def add_tangent(self, matrix: Any, tangent: Triplets, bcs: Sequence[Any] = (), scale: float = 1.0) -> None:
-        """Adds a tangent to what this rank owns of an assembled PETSc matrix, and assembles it again.
+        """Adds a tangent to this rank's rows of an assembled PETSc matrix, and assembles it again.
 
         Contact couples unknowns that no cell couples, so the matrix takes entries at new places.
 

@@ -1,4 +1,4 @@
-"""What a search asks of bodies whose matrix ranks have between them, and of a linear solver of PETSc."""
+"""Bodies for a search, with a matrix distributed over ranks and a linear solver of PETSc."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What this rank has of a space: its own cells and their nodes, by numbers that do not depend on the ranks."""
+"""Part of a space on this rank: its own cells and their nodes, by numbers that do not depend on the ranks."""
 
 from __future__ import annotations
 
@@ -62,8 +62,8 @@ def _above(comm: Any, numbers: np.ndarray) -> int:
 def _first_come(
     displacement: Displacement, blocks: np.ndarray, come: np.ndarray, x: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
-    """The least of the numbers that the cells of all ranks give a block, and the place that goes with it; asked of its owner.
-    Cells round the place of a node each by themselves."""
+    """The least of the numbers that the cells of all ranks give a block, and the place that goes with it; asked of its owner. Cells round the
+    position of a node independently."""
     comm, dim = displacement.mesh.comm, displacement.dim
     ends = np.cumsum(comm.allgather(displacement.owned))
     number, first, inverse = _least(displacement.global_blocks(blocks).ravel(), come.ravel())
@@ -82,7 +82,7 @@ def _first_come(
 
 
 def _least(numbers: np.ndarray, come: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Distinct numbers; where in the list the least of what came for each stands; and the place of every number among them."""
+    """Distinct numbers, the place in the list of the least value for each, and the place of every number among them."""
     order = np.lexsort((come, numbers))
     distinct, first, inverse = np.unique(numbers[order], return_index=True, return_inverse=True)
     place = np.empty(len(numbers), np.int64)

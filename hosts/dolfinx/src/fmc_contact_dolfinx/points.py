@@ -28,12 +28,12 @@ class Points:
             yield replica, first + replica.rows
 
     def gather(self, owned_values: Sequence[np.ndarray]) -> np.ndarray:
-        """From values of all blocks that this rank owns, by space, those of all points. Collective."""
+        """Values of all points, from the values of all blocks of this rank, by space. Collective."""
         moved = [replica.gather(values) for replica, values in zip(self.replicas, owned_values)]
         return moved[0] if len(moved) == 1 else np.concatenate(moved)
 
     def unknowns(self, dim: int) -> np.ndarray:
-        """The unknown, over all ranks, of every ``point * dim + axis``; that of its own space."""
+        """The unknown, over all ranks, of every ``point * dim + axis``, in its own space."""
         numbers = [replica.blocks[:, None] * dim + np.arange(dim) for replica in self.replicas]
         return np.concatenate([of_space.ravel() for of_space in numbers])
 
@@ -66,7 +66,7 @@ def at_points(values: np.ndarray, points: Points) -> np.ndarray:
 
 
 def points_of(values: np.ndarray, now: Points) -> Points:
-    """The points of an array over points; those of now where it does not know its own.
+    """The points of an array over points; the current ones if it has no record of them.
 
     Errors: ``ValueError`` where these are not as many."""
     points = getattr(values, "points", None) or now

@@ -37,7 +37,7 @@ class Replica:
         self._unknowns = np.empty(0, np.int64)
 
     def gather(self, owned_values: np.ndarray) -> np.ndarray:
-        """From the values of all blocks that this rank owns, (owned, dim), those of all rows, (count, dim)."""
+        """Values of all rows, (count, dim), from the values of all blocks that this rank owns, (owned, dim)."""
         # take is several times as fast as an index, for rows as short as these.
         mine = owned_values.take(self.local, axis=0)
         if self.comm.size == 1:

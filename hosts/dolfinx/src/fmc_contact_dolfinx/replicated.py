@@ -16,7 +16,7 @@ from .together import together
 
 
 class Replicated:
-    """What the contact is shown where every rank has all of it."""
+    """Mesh of the contact if every rank has all of it."""
 
     contact: Contact
 
@@ -60,7 +60,7 @@ class Replicated:
         self.contact.mesh.set_basis(csr_matrix(hstack([csr_matrix(self._undeformed), self._matrix], format="csr")))
 
     def coords(self, owned: Sequence[np.ndarray]) -> np.ndarray:
-        """Coordinates that the contact is shown, of the displacements of what this rank owns. Collective."""
+        """Coordinates for the contact, from the displacements that this rank owns. Collective."""
         moved = self.points.gather(owned)
         if self.frame:
             return np.concatenate([np.eye(self.frame), moved])
@@ -68,7 +68,7 @@ class Replicated:
         return at_nodes if self._skin is None else self._skin.points(at_nodes)
 
     def name(self, owned: Sequence[np.ndarray]) -> None:
-        """Names nodes in planes of symmetry, of marks of what this rank owns. Collective."""
+        """Names nodes in planes of symmetry, from marks of this rank's unknowns. Collective."""
         if self.frame or self._skin is not None:
             raise ValueError("planes of symmetry are for meshes whose nodes and cells are passed")
         (nodes,) = np.nonzero(self.points.gather(owned)[:, 0])
@@ -81,7 +81,7 @@ class Replicated:
         return forces if self._skin is None else self._skin.to_nodes(forces)
 
     def at_nodes(self, values: np.ndarray) -> np.ndarray:
-        """What was found at the contact's own points, at those of the spaces."""
+        """Results at the contact's points, transferred to the points of the spaces."""
         return values if self._skin is None else self._skin.at_nodes(values)
 
     def between_points(self, tangent: Triplets) -> Triplets:

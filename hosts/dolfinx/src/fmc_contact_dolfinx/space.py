@@ -1,4 +1,4 @@
-"""Which displacements can be read, and what a rank knows of their nodes."""
+"""Supported displacements, and a rank's data of their nodes."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from .versions import cell_dofs, cell_geometry, cell_name, geometry_layout
 
 
 class LayoutError(TypeError):
-    """The degrees of freedom of a space are not those of a displacement that contact can read."""
+    """Contact cannot read the degrees of freedom of a space as a displacement."""
 
 
 def displacements(spaces: Any) -> list[Displacement]:

@@ -1,5 +1,5 @@
-"""What the ranks show to the contact: all cells, or the boundary alone. Both are numbered by input numbers, so they
-do not depend on the ranks."""
+"""Mesh that the ranks pass to the contact: all cells, or the boundary alone. Both are numbered by input numbers, so they do not depend on the
+ranks."""
 
 from __future__ import annotations
 
@@ -87,8 +87,8 @@ def _middles(inputs: np.ndarray, middles: list[tuple[int, ...]]) -> np.ndarray:
 
 
 def _numbered(inputs: np.ndarray, blocks: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Nodes of the cells, (cells, nodes), and where each of them stands first in it: those with an input
-    number by that, then the others as the cells come to them; neither depends on the ranks."""
+    """Nodes of the cells, (cells, nodes), and the first place of each of them. Nodes with an input number are sorted by it, all other nodes follow in
+    the order of the cells; neither depends on the ranks."""
     width = inputs.shape[1]
     _, first, given = np.unique(inputs, return_index=True, return_inverse=True)
     row, place = np.divmod(first, width)

@@ -27,7 +27,7 @@ class System:
         self._matrices = [fpetsc.create_matrix(one) for one in jacobians]
 
     def by_space(self, x: np.ndarray) -> list[np.ndarray]:
-        """What this rank owns of all unknowns, one array for every space."""
+        """Unknowns that this rank owns, one array for every space."""
         return self.unknowns.by_space(x[self.unknowns.own])
 
     def _of(self, space: Any) -> list[Any]:

@@ -1,4 +1,4 @@
-"""Errors of one rank, raised on all of them: a rank that stops alone leaves the others waiting for ever."""
+"""Errors of one rank, raised on all of them: if one rank stops alone, the rest wait for ever."""
 
 from __future__ import annotations
 
@@ -14,8 +14,8 @@ class OtherRankError(RuntimeError):
 
 
 def together(comm: Any, function: Callable[[], T]) -> T:
-    """Calls a function that talks to no other rank. If it raises on one rank, all ranks raise: each its own
-    exception, or else that of the first rank that has one, with a note of the rank."""
+    """Calls a function that talks to no other rank. If it raises on one rank, all ranks raise: each its own exception, or else the exception of the
+    first rank that has one, with a note of the rank."""
     error: BaseException | None = None
     result: Any = None
     try:

@@ -34,11 +34,11 @@ class Unknowns:
         return self._begins[rank, space] + of_space - (ends - self._owned[:, space])[rank]
 
     def by_space(self, own: np.ndarray) -> list[np.ndarray]:
-        """What this rank owns, one array for every space."""
+        """Values that this rank owns, one array for every space."""
         return np.split(own, np.cumsum(self._owned[self.comm.rank])[:-1])
 
     def gather(self, own: np.ndarray) -> np.ndarray:
-        """From values of what this rank owns those of all, the same bits on every rank. Collective."""
+        """Values of all unknowns from the values that this rank owns, bit-for-bit identical on every rank. Collective."""
         if self.comm.size == 1:
             return np.array(own)
         found = np.empty(self.size, own.dtype)

@@ -22,8 +22,8 @@ def vector_space(mesh: Any, order: int = 1) -> Any:
 
 
 def mesh_from_cells(comm: Any, coords: np.ndarray, conn: np.ndarray, cell_type: str) -> Any:
-    """A mesh of these nodes, (nodes, dim), and cells in VTK's order; all of them on rank 0, none on the others. Cells of
-    second order, ``triangle6``, ``quad9``, ``tetra10`` or ``hexahedron27``, may be curved.
+    """A mesh of these nodes, (nodes, dim), and cells in VTK's order; all of them on rank 0, none on other ranks. Cells of second order,
+    ``triangle6``, ``quad9``, ``tetra10`` or ``hexahedron27``, may be curved.
 
     The row of a node is its input number, whatever the ranks are.
     """

@@ -26,8 +26,8 @@ class GetfemContact(SmoothesSurfaces):
     model : getfem.Model
         A real model.
     variables : str or sequence of str
-        Name of a fem variable, or several, on one mesh or more: displacements of continuous Lagrange elements of first or second order
-        (``FEM_PK``, ``FEM_QK``, ``FEM_Q2_INCOMPLETE``; of first order also prisms and pyramids), mixed where they fit.
+        Name of a fem variable, or several, on one mesh or more: displacements of continuous Lagrange elements of first or second order (``FEM_PK``,
+        ``FEM_QK``, ``FEM_Q2_INCOMPLETE``). First order includes prisms and pyramids. Elements may be mixed if they conform.
     stiffness : float, optional
         Stiffness of the law: pressure per length for the default law. Default 0: ``find_equilibrium`` finds one from the bodies' matrix.
         Until then an evaluation raises ``NoStiffnessError``.

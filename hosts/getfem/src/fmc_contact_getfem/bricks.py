@@ -16,8 +16,8 @@ from .system import is_linear, residual_and_tangent, to_getfem
 class Bricks:
     """Contact as bricks of the model, by ``add_explicit_rhs`` and ``add_explicit_matrix`` for every variable and every pair.
 
-    One ``model.solve`` of one iteration after ``update`` is then one iteration of Newton's method, whatever else the model has.
-    GetFEM does not call back, so a longer ``solve`` uses contact linearised at the last ``update``. The stiffness is that of the contact.
+    One ``model.solve`` of one iteration after ``update`` is then one iteration of Newton's method, whatever else the model has. GetFEM does not call
+    back, so a longer ``solve`` uses contact linearised at the last ``update``. It has the stiffness of the contact.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Cells of ``fmc_contact`` and those of GetFEM: the same nodes, in another order."""
+"""Cells of ``fmc_contact`` and of GetFEM: the same nodes, in another order."""
 
 from __future__ import annotations
 

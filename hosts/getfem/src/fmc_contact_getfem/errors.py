@@ -1,5 +1,5 @@
-"""What the adapter refuses."""
+"""Errors of unsupported input."""
 
 
 class LayoutError(TypeError):
-    """The unknowns of a variable are not those of a displacement that contact can read."""
+    """Contact cannot read the unknowns of a variable as a displacement."""

@@ -26,8 +26,8 @@ def find_equilibrium(
 ) -> Equilibrium:
     """Equilibrium with contact at the end of a load step, by ``fmc_contact.find_equilibrium``.
 
-    The state of the model is where the step begins, and the solution at the end. Data of the model prescribe what the step changes: the value
-    of a Dirichlet condition, a load.
+    The state of the model is where the step begins, and the solution at the end. Data of the model hold the changes of the step: the value of a
+    Dirichlet condition, a load.
 
     Parameters
     ----------
@@ -50,7 +50,7 @@ def find_equilibrium(
     Raises
     ------
     NoSupportError
-        As ``fmc_contact.find_equilibrium`` raises. The state is then that of the start.
+        As ``fmc_contact.find_equilibrium`` raises. The state of the start is then restored.
     NotConvergedError
         The same.
 

@@ -23,7 +23,7 @@ def to_getfem(matrix: csr_matrix) -> gf.Spmat:
 
 
 def is_linear(model: gf.Model) -> bool:
-    """Whether all bricks are linear: the right-hand side is that of the loads then, and does not see the state."""
+    """Whether all bricks are linear: the right-hand side then has only the loads, and does not depend on the state."""
     state = model.from_variables()
     try:
         sides = []

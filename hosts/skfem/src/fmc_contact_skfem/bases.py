@@ -11,7 +11,7 @@ from .field import Field, field
 
 
 def fields_of(bases: Any) -> list[Field]:
-    """The bases, checked. Each has unknowns of its own. Errors: ``LayoutError``, ``ValueError``."""
+    """The bases, checked. Each has separate unknowns. Errors: ``LayoutError``, ``ValueError``."""
     if _is_basis(bases):
         return [field(bases)]
     if not isinstance(bases, (list, tuple)):

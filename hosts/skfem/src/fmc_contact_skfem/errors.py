@@ -1,5 +1,5 @@
-"""What the adapter refuses."""
+"""Errors of unsupported input."""
 
 
 class LayoutError(TypeError):
-    """The degrees of freedom of a basis are not those of a displacement that contact can read."""
+    """Contact cannot read the degrees of freedom of a basis as a displacement."""

@@ -1,4 +1,4 @@
-"""Derivatives of what an equilibrium is: by one linear system, that of the last step, transposed."""
+"""Derivatives of an equilibrium: by one linear system, the transposed system of the last step."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from .host import Host
 
 @dataclass(frozen=True, eq=False)
 class Adjoint:
-    """Derivatives of a number J that hangs on an equilibrium, by what the equilibrium hangs on.
+    """Derivatives of a number J of an equilibrium by its parameters.
 
     Attributes
     ----------
@@ -32,16 +32,17 @@ class Adjoint:
     prescribed : ndarray
         Derivatives by the values of held unknowns, in the shape of ``x``; zero where unknowns are free.
     gradients : Gradients
-        Total derivatives by what the contact has, as asked for. ``coords``: where all nodes of the contact move by themselves, the
-        unknowns and the bodies' residual held.
+        Requested total derivatives by parameters of the contact. ``coords``: by additional motions of all nodes of the contact, the unknowns and the
+        bodies' residual held.
     warnings : list of str
         Where J may have no derivative, or not this one.
     x : ndarray
         Where all this is: the equilibrium with closed gaps, in the shape of ``x``. Take dR there.
     closing : float
-        What closing the gaps adds to J by its derivatives. With it J is right to second order.
+        First-order change of J as the gaps close. J plus this change is accurate to second order.
     change : float
-        Change of ``balance`` as gaps close, by its size: how far derivatives are from those of a search that leaves such gaps.
+        Relative change of ``balance`` as gaps close: an estimate of the difference between these derivatives and the derivatives of a search with
+        such gaps.
 
     Examples
     --------
@@ -128,7 +129,7 @@ def _solved(there: Place, seed: np.ndarray, seed_of_forces: np.ndarray) -> tuple
 def _gradients(
     at: AtEquilibrium, on_nodes: np.ndarray, of_gaps: np.ndarray, of_turns: np.ndarray, by_coords: Any, names: tuple[str, ...]
 ) -> Gradients:
-    """By what the contact has: ``on_nodes`` is λ + a at nodes, ``of_turns`` what a change of ``towards`` is worth."""
+    """By the parameters of the contact: ``on_nodes`` is λ + a at nodes, ``of_turns`` the factor of a change of ``towards``."""
     contact, count = at.contact, at.contact.obstacles.count
     of_poses = [name for name in ("positions", "rotations") if name in names]
     by_differences = ["coords"] + ([] if at.is_exact else of_poses)
@@ -153,7 +154,7 @@ def _gradients(
 
 
 def _by_gap_offset(at: AtEquilibrium, of_gaps: np.ndarray, pair: PairGradient) -> float:
-    """What the gaps add where the pair is one of a body and a half-space: they close by its offset times their area."""
+    """Contribution of the gaps for a pair of a body and a half-space: they close by its offset times their area."""
     values = at.values
     is_of_pair = (values["body"] == pair.a[1]) & (values["partner_kind"] == 1) & (values["partner"] == pair.b[1])
     return float((of_gaps * at.areas)[is_of_pair & (pair.b[0] == "obstacle")].sum())

@@ -30,7 +30,7 @@ Solve = Callable[[Any, np.ndarray], np.ndarray]
 
 
 class Bodies(Host):
-    """The forces and the matrix of bodies, and systems of their sum with that of the contact."""
+    """The forces and the matrix of bodies, and systems of the sum of both matrices, of bodies and contact."""
 
     def __init__(self, host: Residual, contact: Any, shape: tuple[int, ...], free: np.ndarray, solve: Optional[Solve]) -> None:
         self.host, self.contact, self.shape, self.free, self.solve_with = host, contact, shape, free, solve
@@ -69,7 +69,7 @@ class Bodies(Host):
         return np.array(self.host(x.reshape(self.shape))[0], np.float64).ravel()
 
     def _take(self, derivative: Any) -> None:
-        """Keeps a copy: many hosts assemble into the same memory again, and factors have to be known as those of another matrix then."""
+        """Keeps a copy: many hosts assemble into the same memory again, and the factors then belong to another matrix."""
         refuse_part(derivative, self.size)
         if self.matrix is None and isinstance(self.contact, Contact):
             refuse_components(derivative, self.contact.dim)
@@ -111,7 +111,7 @@ class Bodies(Host):
 
 
 def bodies_of(given: Union[Residual, Host], contact: Any, shape: tuple[int, ...], free: np.ndarray, solve: Optional[Solve]) -> Host:
-    """Bodies of a function, or those given. Errors: ``ValueError`` for a linear solver for bodies that solve by themselves."""
+    """Bodies of a function, or those given. Errors: ``ValueError`` for a linear solver for bodies with their own solver."""
     if not isinstance(given, Host):
         return Bodies(given, contact, shape, free, solve)
     if solve is not None:
@@ -120,7 +120,7 @@ def bodies_of(given: Union[Residual, Host], contact: Any, shape: tuple[int, ...]
 
 
 def condensed_of(bodies: Bodies) -> Condensed:
-    """Bodies condensed on what feels contact, kept with the contact. Errors: ``ValueError``, ``ImportError`` where that cannot be."""
+    """Bodies condensed on the unknowns that feel contact, kept with the contact. Errors: ``ValueError``, ``ImportError`` where that cannot be."""
     known: Any = getattr(bodies.contact, _KEPT, None)
     if known is None or not known.is_of(bodies.size, bodies.free):
         known = Condensed(bodies.contact, bodies.size, bodies.free)

@@ -1,4 +1,4 @@
-"""The equilibrium with closed gaps beside one where multipliers have left some: by Newton's method for unknowns and multipliers."""
+"""The equilibrium with closed gaps next to one with small gaps: by Newton's method for unknowns and multipliers."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ STEPS = 10
 
 @dataclass
 class End:
-    """What an equilibrium was found of."""
+    """Input of the search that found an equilibrium."""
 
     given: Union[Residual, Host]
     solve: Optional[Solve]

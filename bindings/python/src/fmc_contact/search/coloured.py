@@ -43,7 +43,7 @@ def slopes(
 
 
 def slopes_ahead(function: Callable[[np.ndarray], np.ndarray], x: np.ndarray, pattern: Any, step: float) -> Any:
-    """The derivative by differences ahead, with half as many calls: to 1e-6, the step by the size of a facet, for what is a small part."""
+    """The derivative by forward differences, with half as many calls: to 1e-6, the step relative to the size of a facet, for small terms."""
     here = function(x)
     return _by_colours(lambda moved: np.stack([function(x + moved) - here] * 2) / step, pattern, step)[0]
 

@@ -39,9 +39,9 @@ def find_equilibrium(
 
     Nothing has to be chosen. A contact without a stiffness gets one from the bodies' matrix. Bodies that nothing holds move rigidly
     until contact balances their loads. Steps are kept so short that nothing passes through anything. The equilibrium is then
-    sought in several ways from the same start: by steps to the equilibrium of the contact with linear bodies (``"condensed"``); by
-    Newton's method with whole steps, which finds the equilibrium beside the start, stable or not (``"nearest"``); down the energy
-    (``"downhill"``). A load step that fails is made again in parts.
+    sought in several ways from the same start: by steps to the equilibrium of the contact with linear bodies (``"condensed"``); by Newton's method
+    with full steps, which finds the equilibrium next to the start, stable or not (``"nearest"``); descent of the energy (``"downhill"``). A load step
+    that fails is repeated in parts.
 
     With friction, wear or damage call ``contact.friction.commit_step`` after each load step: slip counts from there.
 
@@ -52,8 +52,8 @@ def find_equilibrium(
         derivative, (size, size), a matrix of scipy or an array, with the rows of unknowns that are not free; and optionally
         strain energy minus the work of loads. For coordinates the degree of freedom is ``node * dim + axis``. It raises
         ``fmc_contact.search.Refused`` for a state that its bodies cannot have, or returns numbers that are not finite: a shorter step
-        is then made. Any other exception, except an ``FmcError``, ends the search and is raised. Or a ``Host`` of ``fmc_contact.search``,
-        which answers by itself.
+        is then made. Any other exception, except an ``FmcError``, ends the search and is raised. Or a ``Host`` of ``fmc_contact.search``, which
+        answers requests.
     contact : Contact or adapter
         A ``Contact``, for which ``x`` are coordinates, (n, dim). Or an adapter such as ``OnUnknowns``, for which ``x`` is a
         displacement, (size,): an object with ``contact``, ``coords``, ``evaluate``, ``on_dofs`` and ``tangent``, which takes ``semidefinite``
@@ -65,8 +65,8 @@ def find_equilibrium(
     prescribed : array_like, optional
         Values of the other unknowns at the end of the step, in the shape of ``x``. Entries at free unknowns are not read. Default: ``x``.
     tolerance : float
-        The residual at free unknowns divided by the forces, in the Euclidean norm. The forces are those of the bodies or of the
-        contact, whichever are larger. What the forces are rounded to is not counted.
+        The residual at free unknowns divided by the forces, in the Euclidean norm. The reference is the forces of the bodies or of the contact,
+        whichever are larger. Rounding errors of the forces do not count.
     max_iterations : int
         Number of linear solves, at most, over all ways and parts of the load step.
     lagged : bool
@@ -75,22 +75,22 @@ def find_equilibrium(
         Linear solver, ``solve(matrix, right)``. Default: the library's Cholesky factors. If the matrix is not symmetric and positive
         definite, MUMPS if petsc4py was imported and has it, else scipy's ``splu``; for arrays numpy.
     two_level : bool, optional
-        Whether bodies are condensed on the unknowns that feel contact. Default: without a ``solve`` of your own, where more than weak
-        springs hold them. True: also where springs hardly hold them, and with a ``solve`` of your own for the other ways; the equilibrium
-        is a stable one, which may be far from the start, and bodies that cannot be condensed raise ``ValueError`` or ``ImportError``.
+        Whether bodies are condensed on the unknowns that feel contact. Default: without your own ``solve``, where more than weak springs support
+        them. True: also for bodies on very soft springs, and with your own ``solve`` for the other ways; the equilibrium is a stable one, which may
+        be far from the start, and bodies that cannot be condensed raise ``ValueError`` or ``ImportError``.
     penetration : float, optional
-        Penetration tolerance: largest mean penetration of a node over its part of the surface (length). Surfaces are moved out at an
-        equilibrium (``Multipliers.augment``), and stay so for the next load step. If an update leaves more than a quarter, the
-        stiffness is raised fourfold, sixteenfold at most, and stays raised. Not with self-contact. Default: where the
-        stiffness comes from the bodies' matrix, what is left does a thousandth of the work of the bodies' forces, after at most four
-        updates, and more as long as each changes the forces by a thousandth; else what the law leaves.
+        Penetration tolerance: largest mean penetration of a node over its part of the surface (length). Multipliers shift surfaces at an equilibrium
+        (``Multipliers.augment``), and stay for the next load step. If an update does not reduce the penetration to a quarter, the stiffness is raised
+        fourfold, sixteenfold at most, and stays raised. Not with self-contact. Default, if the stiffness comes from the bodies' matrix: the work of
+        the remaining penetration is a thousandth of the work of the bodies' forces. This takes at most four updates, and more as long as each changes
+        the forces by a thousandth. Else there is no tolerance.
     reach : float
         As for ``Multipliers.augment``.
     max_updates : int
         Number of updates, at most.
     find_patches : bool
-        With the law ``"fiber"``: whether patches are kept at the start, follow the contact far from its equilibrium, and are found
-        again near it. Otherwise they are left to you.
+        With the law ``"fiber"``: whether patches are kept at the start, follow the contact far from its equilibrium, and are recomputed near it.
+        Otherwise you keep them.
 
     Returns
     -------
@@ -102,11 +102,11 @@ def find_equilibrium(
     NoSupportError
         If nothing stops a body. It names the body and its direction.
     NotConvergedError
-        If no equilibrium was found. Friction and multipliers of the contact are then what they were before. If the function seems to
-        take displacements where ``x`` are coordinates, or the other way round, the message says so.
+        If no equilibrium was found. Friction and multipliers of the contact are then restored. The message points out if the function seems to take
+        displacements where ``x`` are coordinates, or the other way round.
     ValueError
-        For shapes, for arguments that exclude one another, for coordinates in place of displacements, and for a matrix in the order
-        of components, which is that of no ``Contact``.
+        For shapes, for arguments that exclude one another, for coordinates in place of displacements, and for a matrix in the order of components,
+        which no ``Contact`` has.
 
     Examples
     --------
@@ -149,7 +149,7 @@ def _prescribed(values: ArrayLike, begin: np.ndarray, solved_for: np.ndarray) ->
 
 
 def _condensed(bodies: Host, wanted: Optional[bool]) -> Optional[CondensedSteps]:
-    """Condensed bodies where they are wanted, or where nothing stands in their way."""
+    """Condensed bodies if requested, or if possible."""
     if not isinstance(bodies, Bodies):
         if wanted:
             raise ValueError("bodies that solve by themselves are not condensed")

@@ -55,8 +55,8 @@ class HistoryStart:
 class History:
     """A history of load steps with friction, and the derivatives of a number J of all its states.
 
-    Every step begins where the last one ended, with the elastic slip of that. Going back, each step hands its derivative by both to the
-    step before. Few states are kept; others are found again by solving steps once more, with the same bits.
+    Every step begins at the end of the last one, with its elastic slip. Backwards, each step passes its derivatives by both to the step before. Few
+    states are kept; other states are recomputed by solving steps once more, with bit-for-bit identical results.
 
     Parameters
     ----------
@@ -154,12 +154,12 @@ class History:
             ``seed(step, found)`` returns ∂J/∂x, in the shape of ``x``, and ∂J/∂F of the contact's nodal forces, (n, dim), each of them
             ``None`` for zeros; or ``None`` for both.
         by : iterable of str
-            ``"positions"``, ``"rotations"``, ``"stiffness"``, ``"friction"``: what of the contact to differentiate by.
+            ``"positions"``, ``"rotations"``, ``"stiffness"``, ``"friction"``: parameters of the contact to differentiate by.
 
         Returns
         -------
         iterator of StepAdjoint
-            The derivatives of J by what each step has of its own. A parameter of all steps has their sum.
+            The derivatives of J by the parameters of each step. For a parameter of all steps add them up.
 
         Raises
         ------

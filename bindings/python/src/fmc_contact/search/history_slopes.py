@@ -1,4 +1,4 @@
-"""How forces and the slip that is carried on change with what a step of a history depends on: differences, many columns at once."""
+"""Derivatives of forces and transferred slip by the parameters of a step of a history: differences, many columns at once."""
 
 from __future__ import annotations
 
@@ -105,7 +105,7 @@ class StepSlopes:
         return rows[:count], rows[count:] / self.scale
 
     def _of_sliders(self, tangent: Any) -> Any:
-        """Which columns a slider may depend on: those of the tangent in the rows of its facet."""
+        """Columns on which a slider may depend: the tangent's columns in the rows of its facet."""
         from scipy.sparse import csr_matrix
 
         nodes = self.contact.mesh.boundary_facets().nodes.astype(np.int64) - self.contact.options["index_base"]
@@ -117,7 +117,7 @@ class StepSlopes:
         return _ones(facets @ _ones(tangent))
 
     def by_poses(self, on_nodes: np.ndarray, of_slip: np.ndarray, names: Sequence[str]) -> tuple[np.ndarray, np.ndarray]:
-        """What F and s along these change by with positions and rotations of obstacles at the end and at the start, (m, dim + 3) each."""
+        """Derivatives of F and s along these by positions and rotations of obstacles at the end and at the start, (m, dim + 3) each."""
         along = np.concatenate([on_nodes, of_slip / self.scale])
         found = np.zeros((2, len(self.poses), self.dim + 3))
         axes = [axis for axis in range(self.dim + 3) if ("positions" if axis < self.dim else "rotations") in names]

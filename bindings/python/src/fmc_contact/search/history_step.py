@@ -31,7 +31,7 @@ from .outcome import Equilibrium
 
 @dataclass(frozen=True, eq=False)
 class Begun:
-    """How a step began: all that it takes to solve it once more with the same bits."""
+    """Start of a step: all data to solve it once more with bit-for-bit identical results."""
 
     x: np.ndarray
     coords: np.ndarray
@@ -70,7 +70,7 @@ class Handed:
 
 @dataclass(frozen=True, eq=False)
 class StepAdjoint:
-    """Derivatives of a number J of a whole history by what one of its steps has of its own, as ``History.backward`` hands them out.
+    """Derivatives of a number J of a whole history by the parameters of one of its steps, as ``History.backward`` returns them.
 
     Attributes
     ----------
@@ -116,7 +116,7 @@ def back_through(
     seeds: tuple[Optional[ArrayLike], Optional[ArrayLike]],
     names: tuple[str, ...],
 ) -> tuple[StepAdjoint, Handed]:
-    """Derivatives by what a step has, and by how it began. The contact is as the search has left it, and is so afterwards."""
+    """Derivatives by the parameters of a step, and by its start. The contact is as at the end of the search, and is not changed."""
     end: End = found.__dict__["_end"]
     contact, shape, coords = end.unknowns.inner, end.x.shape, np.ascontiguousarray(end.unknowns.coords(end.x.ravel()))
     bodies = bodies_of_end(end)
@@ -187,7 +187,7 @@ def _solved(total: Any, right: np.ndarray, end: End) -> np.ndarray:
 
 
 def refuse(contact: Contact) -> None:
-    """Errors: ``UnsupportedError`` for what a history has no derivatives of."""
+    """Errors: ``UnsupportedError`` for features without derivatives in a history."""
     if len(contact.multipliers.values):
         raise UnsupportedError("derivatives of a history with multipliers: give find_equilibrium no penetration, and the contact a stiffness")
     if len(contact.mesh.point_weights()) != contact.unknown_count:

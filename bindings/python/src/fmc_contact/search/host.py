@@ -11,7 +11,7 @@ from ..ranks import Communicator
 
 
 class Refused(Exception):
-    """What a search has asked for is not there: raised by the bodies, with why.
+    """A request of a search cannot be answered: raised by the bodies, with the reason.
 
     A function that is given to ``find_equilibrium`` raises it for a state that its bodies cannot have, such as one with an inverted
     cell. The search then makes a shorter step. Any other exception ends the search and reaches the caller, but for errors of this
@@ -28,10 +28,10 @@ class Refused(Exception):
 
 
 class Host(ABC):
-    """What a search asks of bodies, in place of ``residual_and_tangent``, where their matrix is in parts on ranks, or in no memory at all.
+    """Bodies for a search, in place of ``residual_and_tangent``, whose matrix is distributed over ranks, or never assembled.
 
-    Vectors are of all unknowns, (size,). On ranks each of them makes the same search, and returns the same bits. A method raises
-    ``Refused``, with why, for what it does not have.
+    Vectors are of all unknowns, (size,). On several ranks each makes the same search, and returns bit-for-bit identical results. A method raises
+    ``Refused``, with the reason, if it has no answer.
     """
 
     factorisations = 0
@@ -45,7 +45,7 @@ class Host(ABC):
 
     @abstractmethod
     def product(self, vector: np.ndarray, magnitudes: bool) -> np.ndarray:
-        """The matrix, or that of its magnitudes, times a vector."""
+        """The matrix, or the matrix of its magnitudes, times a vector."""
 
     @abstractmethod
     def diagonal(self) -> np.ndarray:

@@ -1,4 +1,4 @@
-"""What is most likely wrong with a host, in sentences for its programmer."""
+"""Most likely faults of a host, in sentences for its programmer."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ _SMALL = 0.1
 
 
 def refuse_start(contact: Any, begin: np.ndarray) -> None:
-    """Errors: ``ValueError`` where coordinates are wanted and displacements are given, the other way round, or in columns."""
+    """Errors: ``ValueError`` for displacements in place of coordinates, the other way round, or for columns."""
     if isinstance(contact, Contact):
         if begin.size and not begin.any():
             raise ValueError("x is zero: with a Contact x are coordinates; OnUnknowns(contact, coords, unknowns) takes displacements")
@@ -55,8 +55,8 @@ def other_unknowns(
 ) -> list[str]:
     """A sentence where the host takes displacements and is given coordinates, or the other way round; ``at`` is its residual elsewhere.
 
-    The residual is then as large as that of bodies stretched to twice their size, and small at the other kind of unknowns. No right host
-    has both: its loads alone would have to press the bodies to a point, or stretch them to twice their size."""
+    The residual is then as large as in bodies stretched to twice their size, and small at the other kind of unknowns. A correct host never has both:
+    its loads alone would have to press the bodies to a point, or stretch them to twice their size."""
     takes_coords = isinstance(contact, Contact)
     rows = x if takes_coords else contact.coords(x)
     places, stretch = (one.ravel() if takes_coords else _spread(contact, x.size, one) for one in (rows, rows - rows.mean(axis=0)))
@@ -114,8 +114,8 @@ def refuse_components(matrix: Any, dim: int) -> None:
 
 
 def unconnected(matrix: Any, moved: np.ndarray) -> list[str]:
-    """A sentence where supports are moved that the matrix connects with nothing: their rows were replaced by those of the unit matrix,
-    and the bodies feel nothing of the motion."""
+    """A sentence if supports move that the matrix does not connect with the bodies. Their rows were replaced by rows of the unit matrix, so that the
+    bodies do not feel the motion."""
     marks = (moved != 0.0).astype(np.float64)
     if not marks.any():
         return []

@@ -14,7 +14,7 @@ from ..schur import SYMMETRIC
 
 
 def summed(bodies: Any, contact: Any) -> Any:
-    """Both tangents; an array if that of the bodies is one. Without scipy, that of contact comes as triplets."""
+    """Both tangents; an array if the tangent of the bodies is one. Without scipy, the tangent of the contact comes as triplets."""
     if isinstance(contact, tuple):
         rows, cols, values = contact
         total = np.array(bodies, np.float64)

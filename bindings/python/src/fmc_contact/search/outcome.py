@@ -1,4 +1,4 @@
-"""What a load step has led to, or why it led nowhere."""
+"""Result of a load step, or the reason of its failure."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ class Equilibrium:
     iterations : int
         Number of linear solves.
     residuals : list of float
-        Relative residual of every state on the way, that of the solution last.
+        Relative residual of every state on the way, with the solution last.
     result : Result
         Contact at the solution.
     reactions : ndarray
@@ -65,8 +65,7 @@ class Equilibrium:
     penetration : float or None
         Largest mean penetration of a node at the solution (length), if it was measured.
     warnings : list of str
-        What the user should know of the search, such as bodies that stand by chance. The contact's own warnings are
-        ``result.warnings``.
+        Remarks on the search, for example on bodies in unstable balance. The contact's own warnings are ``result.warnings``.
 
     Examples
     --------
@@ -97,9 +96,9 @@ class Equilibrium:
     def adjoint(self, by_x: ArrayLike, by_forces: Optional[ArrayLike] = None, by: Iterable[str] = ()) -> Adjoint:
         """Derivatives of a number J(x, F) of the equilibrium, F being the contact's nodal forces: one linear solve, whatever their number.
 
-        Call it before anything of the contact changes. Multipliers follow the parameters: with them J is that of closed gaps, and the
-        adjoint closes what the search has left by Newton's method; it costs two or three linear solves more.
-        With friction it is the derivative of this load step, where the last one ended being held. Needs scipy.
+        Call it before the contact changes. Multipliers follow the parameters: J then refers to closed gaps, and the adjoint closes the remaining gaps
+        by Newton's method. This costs two or three linear solves more. With friction it is the derivative of this load step, where the last one ended
+        being held. Needs scipy.
 
         Parameters
         ----------
@@ -120,7 +119,7 @@ class Equilibrium:
         ValueError
             If the contact has changed since, for shapes, and for names that do not exist.
         UnsupportedError
-            As ``Contact.vjp``; for bodies that solve by themselves; for multipliers with ties.
+            As ``Contact.vjp``; for bodies with their own solver; for multipliers with ties.
         RuntimeError
             If the matrix is singular.
 

@@ -1,4 +1,4 @@
-"""A search of the library for an equilibrium, and the answers to what it asks."""
+"""A search of the library for an equilibrium, and the answers to its requests."""
 
 from __future__ import annotations
 
@@ -115,7 +115,7 @@ class Search:
         return byref(answer), (answer, vector, held)
 
     def _asked(self, kind: str, request: fmc_equilibrium_request) -> tuple[np.ndarray, Optional[float], bool]:
-        """What was asked for, an energy, and whether bodies were found to be held where nothing touches. Errors: ``Refused``."""
+        """The requested vector, an energy, and whether bodies were found to be supported without contact. Errors: ``Refused``."""
         bodies = self.bodies
         if kind == "forces":
             return (*bodies.forces(self._array(request.x), bool(request.matrix)), False)
@@ -135,7 +135,7 @@ class Search:
         return _copied(address, self.size)
 
     def ended(self) -> tuple[fmc_equilibrium_result, str, list[str]]:
-        """What it has led to, how, and what is said of it."""
+        """Its result, the way to it, and its texts."""
         result = fmc_equilibrium_result()
         check(library.fmc_equilibrium_found(self.pointer, byref(result)))
         texts = [library.fmc_equilibrium_text(self.pointer, number).decode() for number in range(result.text_count)]

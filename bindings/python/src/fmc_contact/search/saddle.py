@@ -1,4 +1,4 @@
-"""The linear system of an equilibrium with multipliers: what unknowns and shifts of surfaces do to forces and gaps."""
+"""The linear system of an equilibrium with multipliers: the effect of unknowns and shifts of surfaces on forces and gaps."""
 
 from __future__ import annotations
 
@@ -14,12 +14,12 @@ Both = tuple[np.ndarray, np.ndarray]
 
 
 class Saddle:
-    """``A dx + B ds`` are the forces that a change of the unknowns and of the shifts adds, ``G dx`` what gaps open by.
+    """``A dx + B ds`` are the forces that a change of the unknowns and of the shifts adds, ``G dx`` the opening of gaps.
 
     Offsets turn with the surfaces: ``o = s t(x)``."""
 
     def __init__(self, at: AtEquilibrium, matrix: Any, unknown: np.ndarray, free: np.ndarray, solve: Optional[Solve]) -> None:
-        """``unknown`` is that of every coordinate, negative for none; ``matrix`` that of the bodies."""
+        """``unknown`` is the unknown of every coordinate, negative for none; ``matrix`` the matrix of the bodies."""
         from scipy.sparse import csr_matrix, diags
 
         self.free, self.own, self.shifts = free, solve, at.values["shift"]

@@ -1,4 +1,4 @@
-"""Errors of ranks that make the same search: one that stops alone leaves the others waiting for ever."""
+"""Errors of ranks that make the same search: if one rank stops alone, the rest wait for ever."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ _DONE, _REFUSED, _FAILED = range(3)
 def together(comm: Any, function: Callable[[], T]) -> T:
     """Calls a function on all ranks of a communicator; without one, here alone.
 
-    What one rank refuses, all refuse. Where it raises anything else on one rank, that rank raises it, and all others raise
+    A refusal of one rank is a refusal of all. Where it raises anything else on one rank, that rank raises it, and all others raise
     ``OnOtherRankError``, also those where it was refused: they may have taken that failure for a state that cannot be."""
     if comm is None or comm.size == 1:
         return function()
