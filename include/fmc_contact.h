@@ -3006,7 +3006,7 @@ fmc_status fmc_context_tie_constraints(const fmc_context *context,
 // The rules of `FMC_INTERFACE_TIED` give the tied faces and the default of `reach` (0), with the stiffness of the pair's law and with
 // multipliers. It changes no contact. With a period only the named facets can hide one another. No heat flows through it.
 //
-// With the period of a periodic cell and the jump H period the cell has the macroscopic displacement gradient H; its stress is the sum of
+// With the period of a periodic cell and the jump H period the cell has the macroscopic displacement gradient H. Its stress is the sum of
 // F period^T / V over the ties, with their forces F (`fmc_context_tie_force`). In a bolt with a cut across it, the jump along the axis is
 // the pretension length.
 //

@@ -7,7 +7,7 @@
 //   const fmc_result result = contact.evaluate(x, f);           // contact forces at the nodes
 //
 // The dimension is an argument, 2 or 3; x are the coordinates of all nodes, (nodes, dim). Nothing of the host is kept or copied.
-// What arrays can be: fmc_contact/view.hpp. What the functions do: `fmc_contact.h`, under their names with `fmc_context_`
+// Supported arrays: fmc_contact/view.hpp. Documentation of the functions: `fmc_contact.h`, under their names with `fmc_context_`
 // in front. Programs: hosts/cpp.
 #ifndef FMC_CONTACT_HPP
 #define FMC_CONTACT_HPP
@@ -25,9 +25,9 @@ inline int abi_version() { return fmc_abi_version(); }
 // Whether the library has a feature, see `fmc_has_feature`.
 inline bool has_feature(const std::string &name) { return fmc_has_feature(name.c_str()) != 0; }
 
-// Contact forces between bodies, in one call; the bits are those of a `Context`. Cells in a block for each type,
-// {{FMC_HEX8, hexes}, {FMC_TET4, tets}}, with numbers of 32 or 64 bits; `body_ids`, one for every cell, may be left out. With friction,
-// at the end `coords` of a step, which receives the slip that is carried into the next one.
+// Contact forces between bodies, in one call; bit-for-bit identical to a `Context`. Cells in a block for each type, {{FMC_HEX8, hexes},
+// {FMC_TET4, tets}}, with numbers of 32 or 64 bits; `body_ids`, one for every cell, may be left out. With friction, at the end `coords`
+// of a step, which receives the slip that is carried into the next one.
 inline ContactForces contact_force(int dim, Coords coords, View<const Cells<int32_t>> cells, const Options &options,
                                    View<const int32_t> body_ids = {}, FrictionStep *step = nullptr);
 inline ContactForces contact_force(int dim, Coords coords, View<const Cells<int64_t>> cells, const Options &options,

@@ -8,10 +8,10 @@
 !   call bodies%from_cells(x, FMC_TET4, conn, options)      ! x(3, nodes), conn(4, cells) counted from 1
 !   call bodies%evaluate(x, forces, found)                  ! forces(3, nodes), pushing bodies apart
 !
-! Arrays are by columns, a column for every node, cell or contact point; nodes, bodies, obstacles, pairs and facets count
-! from 1, and so do the rows and columns of tangents: degree of freedom (node - 1) * dim + axis. Units are those of the
-! host. What a function does, its errors and its options are told in include/fmc_contact.h, under the name that stands
-! beside it. Whatever is not here is called through module fmc_contact_c with the component `handle`.
+! Arrays are by columns, a column for every node, cell or contact point. Nodes, bodies, obstacles, pairs and facets count from 1.
+! Rows and columns of tangents count from 1, too: degree of freedom (node - 1) * dim + axis. Units are the host's.
+! include/fmc_contact.h documents each function, its errors and its options, under the name next to it. Whatever is not here is
+! called through module fmc_contact_c with the component `handle`.
 !
 ! Errors: every procedure has an optional last argument `stat`, 0 or a value FMC_ERROR_...; contact_error() is the text.
 ! Without `stat` an error stops the program with that text, as for `allocate`. After an error nothing has changed.
@@ -106,8 +106,8 @@ contains
     block%facet_count = size(conn, 2, c_size_t)
   end function
 
-  ! Bodies of cells of one type: x(dim, nodes), conn(nodes of a cell, cells); body_ids(cells), else bodies are what hangs
-  ! together (fmc_context_new_from_cells).
+  ! Bodies of cells of one type: x(dim, nodes), conn(nodes of a cell, cells); body_ids(cells), else bodies are the connected
+  ! components (fmc_context_new_from_cells).
   subroutine from_cells(self, x, cell_type, conn, options, body_ids, stat)
     class(contact), intent(inout) :: self
     real(c_double), intent(in), contiguous, target :: x(:, :)
@@ -134,8 +134,8 @@ contains
     call self%take(made, size(x, 1), status, stat)
   end subroutine
 
-  ! Bodies of closed surfaces, outwards as fmc_context_new_from_facets says:
-  ! blocks = [facets(FMC_FACET_TRI6, curved), facets(FMC_FACET_TRI3, flat)]; body_ids through all of them.
+  ! Bodies of closed surfaces, oriented outwards as for fmc_context_new_from_facets: blocks = [facets(FMC_FACET_TRI6, curved),
+  ! facets(FMC_FACET_TRI3, flat)]; body_ids through all of them.
   subroutine from_facets(self, x, blocks, options, body_ids, stat)
     class(contact), intent(inout) :: self
     real(c_double), intent(in), contiguous, target :: x(:, :)
@@ -274,7 +274,7 @@ contains
                                                    options, friction_law_of(limit, history_count, user)), stat)
   end subroutine
 
-  ! What laws of friction keep after the steps that were committed, in the order of the slip (fmc_context_friction_history).
+  ! History of laws of friction after the committed steps, in the order of the slip (fmc_context_friction_history).
   subroutine friction_history(self, history, stat)
     class(contact), intent(in) :: self
     real(c_double), intent(out), allocatable :: history(:)
@@ -326,7 +326,7 @@ contains
     call checked(fmc_context_set_law_fields(self%handle, values, size(values, 2, c_size_t), size(values, 1, c_size_t)), stat)
   end subroutine
 
-  ! Whether your own law is one, by differences at jumps of this scale; contact_error() has what is wrong (fmc_own_law_check).
+  ! Checks your own law by differences at jumps of this scale; contact_error() names faults (fmc_own_law_check).
   subroutine check_law(respond, dim, scale, history_count, user, stat)
     procedure(fmc_respond) :: respond
     integer, intent(in) :: dim
@@ -400,7 +400,7 @@ contains
     call checked(fmc_context_set_basis(self%handle, matrix, int(unknown_count, c_size_t)), stat)
   end subroutine
 
-  ! Forces at x, into forces(dim, nodes) or, with add, onto what stands there (fmc_context_evaluate).
+  ! Forces at x, into forces(dim, nodes) or, with add, added to it (fmc_context_evaluate).
   subroutine evaluate(self, x, forces, found, add, stat)
     class(contact), intent(inout) :: self
     real(c_double), intent(in), contiguous, target :: x(:, :)
@@ -416,8 +416,8 @@ contains
     if (present(found)) found = all
   end subroutine
 
-  ! Second derivative of the energy, - d force / d x, in compressed rows that count from 1: what a host adds to its
-  ! stiffness. flags: FMC_TANGENT_SEMIDEFINITE, FMC_TANGENT_SYMMETRIC (fmc_context_tangent, fmc_context_tangent_csr).
+  ! Second derivative of the energy, - d force / d x, in compressed rows that count from 1: the host adds it to its stiffness.
+  ! flags: FMC_TANGENT_SEMIDEFINITE, FMC_TANGENT_SYMMETRIC (fmc_context_tangent, fmc_context_tangent_csr).
   subroutine tangent(self, x, row_offsets, cols, values, flags, stat)
     class(contact), intent(inout) :: self
     real(c_double), intent(in), contiguous, target :: x(:, :)
@@ -473,7 +473,7 @@ contains
     call checked(fmc_context_stable_step(self%handle, view(x), masses, step), stat)
   end function
 
-  ! Force and moment on a body, on an obstacle, what a pair does, of the last evaluation.
+  ! Force and moment on a body, on an obstacle, and results of a pair, from the last evaluation.
   type(fmc_resultant) function body(self, index, stat)
     class(contact), intent(in) :: self
     integer, intent(in) :: index
@@ -666,8 +666,8 @@ contains
     end if
   end subroutine
 
-  ! Elastic slip of every facet against each that it faced, (8, rows), for a restart: facet from 0, kind and index of what it faced,
-  ! side, slip, 0.
+  ! Elastic slip of every facet against each of its partners, (8, rows), for a restart: facet from 0, kind and index of the
+  ! partner, side, slip, 0.
   subroutine slip(self, values, stat)
     class(contact), intent(in) :: self
     real(c_double), intent(out), allocatable :: values(:, :)
@@ -688,7 +688,7 @@ contains
     call checked(fmc_context_set_slip(self%handle, values, size(values, kind=c_size_t)), stat)
   end subroutine
 
-  ! What both sides of a pair wear by, in 1/pressure; all other options of the pair stay.
+  ! Wear coefficients of both sides of a pair, in 1/pressure; all other options of the pair stay.
   subroutine set_pair_wear(self, a_kind, a, b_kind, b, wear_a, wear_b, stat)
     class(contact), intent(inout) :: self
     integer(c_int32_t), intent(in) :: a_kind, b_kind
@@ -713,7 +713,7 @@ contains
     call checked(status, stat)
   end subroutine
 
-  ! What every body has lost by wear, a volume.
+  ! Volume that every body has lost by wear.
   subroutine worn_volumes(self, values, stat)
     class(contact), intent(in) :: self
     real(c_double), intent(out), allocatable :: values(:)
@@ -727,7 +727,7 @@ contains
     call checked(status, stat)
   end subroutine
 
-  ! What was worn off, (4, rows), for a restart: facet and point from 0, depth, volume.
+  ! State of wear, (4, rows), for a restart: facet and point from 0, depth, volume.
   subroutine worn_facets(self, values, stat)
     class(contact), intent(in) :: self
     real(c_double), intent(out), allocatable :: values(:, :)
@@ -855,7 +855,7 @@ contains
     call checked(status, stat)
   end subroutine
 
-  ! Moves surfaces out by what they penetrate at x (fmc_context_augment); reach: 0 for a twentieth of the bodies' extent.
+  ! Updates the multipliers by the penetration at x (fmc_context_augment); reach: 0 for a twentieth of the bodies' extent.
   subroutine augment(self, x, tolerance, result, reach, stat)
     class(contact), intent(inout) :: self
     real(c_double), intent(in), contiguous, target :: x(:, :)
@@ -869,7 +869,7 @@ contains
     call checked(fmc_context_augment(self%handle, view(x), within, tolerance, result), stat)
   end subroutine
 
-  ! How far surfaces are moved out, by nodes, bodies and partners that count from 1.
+  ! Shifts of surfaces, by nodes, bodies and partners that count from 1.
   subroutine multipliers(self, found, stat)
     class(contact), intent(in) :: self
     type(fmc_multiplier), intent(out), allocatable :: found(:)
@@ -885,7 +885,7 @@ contains
     call checked(status, stat)
   end subroutine
 
-  ! Moves surfaces out as multipliers has told; none: back.
+  ! Shifts surfaces as returned by multipliers; none: no shift.
   subroutine set_multipliers(self, given, stat)
     class(contact), intent(inout) :: self
     type(fmc_multiplier), intent(in) :: given(:)
@@ -920,7 +920,7 @@ contains
     if (present(index)) index = merge(int(number) + 1, 0, status == FMC_OK)
   end subroutine
 
-  ! An obstacle whose arrays are not of the contact's dimension: the library is not told their lengths.
+  ! An obstacle whose arrays do not have the contact's dimension: the library does not get their lengths.
   subroutine unplaced(index, stat)
     integer, intent(out), optional :: index, stat
     if (present(index)) index = 0

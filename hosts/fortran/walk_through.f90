@@ -1,4 +1,4 @@
-! What a Fortran host gets, a section each, and checked against what it must be.
+! Results for a Fortran host, a section each, checked against expected values.
 !
 !   gfortran fmc_contact_c.f90 fmc_contact.f90 walk_through.f90 $(pkg-config --libs fmc_contact)
 module slope
@@ -79,7 +79,7 @@ program walk_through
 
 contains
 
-  ! Variables of a procedure are given back at its end, those of a program are not.
+  ! Variables of a procedure are freed at its end, variables of a program are not.
   subroutine walk
     real(c_double), parameter :: k = 1d5, depth = 0.01d0
     real(c_double) :: x(2, 8), y(2, 8), forces(2, 8), there(2, 8), pressure(8), normal(2, 8), masses(8), change(2, 8)
@@ -106,7 +106,7 @@ contains
     options = contact_options(k, FMC_LAW_FIBER)
     call squares%from_cells(x, FMC_QUAD4, conn, options)
 
-    ! Forces, added to what is there, and resultants.
+    ! Forces, added to an array, and resultants.
     forces = 1
     call squares%set_interrupt(goes_on)
     call squares%evaluate(x, forces, found, add=.true.)
@@ -142,14 +142,14 @@ contains
     call expect("points", sum(points%pressure*points%area), k*depth*0.8d0, 1d-9)
     call expect("nodes of points", real(maxval(points(1)%sides(2)%nodes), c_double), 8d0, 1d-15)
     call squares%gap_constraints(x, 0.1d0, gaps, row_offsets, cols, values)
-    ! The structs are those of the library, which writes their size.
+    ! The structs belong to the library, which writes their size.
     call expect("size of fmc_options", real(c_sizeof(options), c_double), real(options%struct_size, c_double), 0d0)
     call expect("size of fmc_result", real(c_sizeof(found), c_double), real(found%struct_size, c_double), 0d0)
     call expect("size of fmc_pair_result", real(c_sizeof(pair), c_double), real(pair%struct_size, c_double), 0d0)
     call expect("size of a point", real(c_sizeof(points(1)), c_double), real(points(1)%struct_size, c_double), 0d0)
     call expect("size of a gap", real(c_sizeof(gaps(1)), c_double), real(gaps(1)%struct_size, c_double), 0d0)
     call expect("gaps", minval(gaps%gap/gaps%area), -depth, 1d-9)
-    ! Moved out by what it penetrates the square presses twice as much; moved back, as before.
+    ! Shifted by its penetration the square presses twice as much; without shift, as before.
     call squares%augment(x, 1d-9, moved_out)
     call squares%multipliers(shifts)
     call expect("shift", maxval(shifts%shift), depth, 1d-9)
@@ -165,7 +165,7 @@ contains
     masses = 1
     if (squares%stable_step(x, masses) <= 0) call expect("stable step", 0d0, 1d0, 0d0)
 
-    ! Friction: a step of 1 mm up, stick by the stiffness k, then slip by what the pressure bears.
+    ! Friction: a step of 1 mm up, stick with the stiffness k, then slip at the friction limit.
     options = contact_options(k)
     options%friction_coefficient = 0.3d0
     call squares%set_options(options)
@@ -182,7 +182,7 @@ contains
     call squares%evaluate(y, there)
     call expect("friction after a restart", maxval(abs(there - forces)), 0d0, 1d-9*k)
 
-    ! Wear of both, by Archard's law: what they have slid by wears them off, each by as much.
+    ! Wear of both, by Archard's law: their slip wears both by the same depth.
     call squares%set_pair_wear(FMC_PARTNER_BODY, 1, FMC_PARTNER_BODY, 2, 1d-6, 1d-6)
     call squares%set_wear_cycles(100d0)
     y(2, 5:8) = y(2, 5:8) + 0.05d0
@@ -276,7 +276,7 @@ contains
     call rubbing%set_friction_history(carried_law(2:), stat)
     call expect("too short a history of friction", real(stat, c_double), real(FMC_ERROR_LENGTH, c_double), 0d0)
 
-    ! Errors: what is wrong is named, and nothing has changed.
+    ! Errors: the text names the fault, and nothing has changed.
     conn(3, 2) = 9
     call squares%from_cells(x, FMC_QUAD4, conn, options, stat=stat)
     call expect("status of a node that is not there", real(stat, c_double), real(FMC_ERROR_NODE_OUT_OF_RANGE, c_double), 0d0)

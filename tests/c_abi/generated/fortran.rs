@@ -5,11 +5,11 @@ use crate::declarations::{Declarations, Function, Variable};
 use std::fmt::Write;
 
 const TITLE: &str = "\
-! The C interface of fmc-contact, name by name, as include/fmc_contact.h documents it. Module fmc_contact stands on it.
+! The C interface of fmc-contact, name by name, as include/fmc_contact.h documents it. Module fmc_contact is built on it.
 !
-! Pointers are optional arguments: one that is left out is NULL. Lists of nodes, cells and degrees of freedom, type(*), are of 32 or 64
-! bits as the mesh's, and count from the option index_base; bodies, obstacles, pairs and warnings count from 0 here. Structs begin as
-! the header says: with their init functions.
+! Pointers are optional arguments: an omitted one is NULL. Lists of nodes, cells and degrees of freedom, type(*), have 32 or 64 bits
+! like the mesh, and count from the option index_base. Bodies, obstacles, pairs and warnings count from 0 here. Initialise structs by
+! their init functions, as in the header.
 !
 ! Generated from the header; do not edit.
 module fmc_contact_c

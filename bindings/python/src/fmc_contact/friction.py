@@ -135,10 +135,10 @@ class FrictionSteps:
     def slip(self) -> np.ndarray:
         """Elastic slip carried into the step: a row for each facet and each body or obstacle that it faced, (rows, 8).
 
-        Columns: the facet, by its place in ``contact.mesh.boundary_facets()``; 0 if it faces a body, 1 if an obstacle; the index of
-        that; 1 if the facet's body is the second of the pair, else 0; three of the slip (length), in 2D the last 0; how far it has slid
-        since it rested, with ``static_coefficient``, else 0. For a restart
-        you need nothing else but the coordinates and poses at which the step began: call ``begin_step`` there, then set the slip.
+        The first column is the facet, by its place in ``contact.mesh.boundary_facets()``. Then follow 0 if it faces a body, 1 if an obstacle;
+        the index of this partner; 1 if the facet's body is the second of the pair, else 0. The last four are three of the slip (length), in 2D
+        the last 0; and the slip since it rested, with ``static_coefficient``, else 0. A restart needs it, and the coordinates and poses at which
+        the step began: call ``begin_step`` there, then set the slip.
 
         Raises
         ------

@@ -37,11 +37,10 @@ def find_equilibrium(
 ) -> Equilibrium:
     """Equilibrium of bodies in contact at the end of a load step, by the library's search.
 
-    Nothing has to be chosen. A contact without a stiffness gets one from the bodies' matrix. Bodies that nothing holds move rigidly
-    until contact balances their loads. Steps are kept so short that nothing passes through anything. The equilibrium is then
-    sought in several ways from the same start: by steps to the equilibrium of the contact with linear bodies (``"condensed"``); by Newton's method
-    with full steps, which finds the equilibrium next to the start, stable or not (``"nearest"``); descent of the energy (``"downhill"``). A load step
-    that fails is repeated in parts.
+    The defaults suffice. A contact without a stiffness gets one from the bodies' matrix. Unsupported bodies move rigidly until contact balances their
+    loads. Steps are kept so short that no body passes through another. The search then tries several ways from the same start. The first takes steps
+    to the equilibrium of the contact with linear bodies (``"condensed"``). Newton's method with full steps finds the equilibrium next to the start,
+    stable or not (``"nearest"``). The last is descent of the energy (``"downhill"``). A load step that fails is repeated in parts.
 
     With friction, wear or damage call ``contact.friction.commit_step`` after each load step: slip counts from there.
 
@@ -76,8 +75,8 @@ def find_equilibrium(
         definite, MUMPS if petsc4py was imported and has it, else scipy's ``splu``; for arrays numpy.
     two_level : bool, optional
         Whether bodies are condensed on the unknowns that feel contact. Default: without your own ``solve``, where more than weak springs support
-        them. True: also for bodies on very soft springs, and with your own ``solve`` for the other ways; the equilibrium is a stable one, which may
-        be far from the start, and bodies that cannot be condensed raise ``ValueError`` or ``ImportError``.
+        them. True: also for bodies on very soft springs, and with your own ``solve`` for the other ways; the equilibrium is then stable, and may be
+        far from the start. Bodies that cannot be condensed raise ``ValueError`` or ``ImportError``.
     penetration : float, optional
         Penetration tolerance: largest mean penetration of a node over its part of the surface (length). Multipliers shift surfaces at an equilibrium
         (``Multipliers.augment``), and stay for the next load step. If an update does not reduce the penetration to a quarter, the stiffness is raised

@@ -35,8 +35,8 @@ def shifted(matrix: Any, diagonal: np.ndarray, shift: float) -> Any:
 
 
 def factors(matrix: Any) -> Callable[[np.ndarray], np.ndarray]:
-    """A solver for one matrix and any right sides: the library's Cholesky factors; where the matrix is not symmetric and positive definite
-    MUMPS, where the program has imported petsc4py that has it, else scipy's ``splu``. Arrays by numpy. Errors: ``RuntimeError`` or
+    """A solver for one matrix and any right sides: the library's Cholesky factors. For a matrix that is not symmetric and positive definite it
+    takes MUMPS, if the program has imported a petsc4py with it, else scipy's ``splu``. Arrays by numpy. Errors: ``RuntimeError`` or
     ``LinAlgError`` where it is singular."""
     if isinstance(matrix, np.ndarray):
         return lambda right: np.linalg.solve(matrix, right)
