@@ -167,7 +167,7 @@ impl<const D: usize> Mesh<D> {
     }
 
     pub(crate) fn set_reference(&mut self, coords: &[[f64; D]]) -> Result<(), Error> {
-        self.surface.refuse_submesh("reference coordinates of a part of a mesh by itself")?;
+        self.surface.refuse_submesh("reference coordinates of a single part of a mesh")?;
         let before = self.surface.set_reference(coords)?;
         if let Err(error) = self.find_symmetry() {
             self.surface.restore_reference(before);
@@ -185,7 +185,7 @@ impl<const D: usize> Mesh<D> {
     }
 
     pub(crate) fn set_symmetry_nodes(&mut self, nodes: &[u32]) -> Result<(), Error> {
-        self.surface.refuse_submesh("planes of symmetry of a part of a mesh by itself")?;
+        self.surface.refuse_submesh("planes of symmetry of a single part of a mesh")?;
         let node_count = self.surface.node_count();
         let mut marked = vec![false; node_count];
         for (cell, &node) in nodes.iter().enumerate() {
@@ -197,7 +197,7 @@ impl<const D: usize> Mesh<D> {
     }
 
     pub(crate) fn set_symmetry_planes(&mut self, planes: &[SymmetryPlane<D>]) -> Result<(), Error> {
-        self.surface.refuse_submesh("planes of symmetry of a part of a mesh by itself")?;
+        self.surface.refuse_submesh("planes of symmetry of a single part of a mesh")?;
         self.tell(Told::Planes(planes.to_vec()))
     }
 

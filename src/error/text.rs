@@ -31,18 +31,20 @@ impl fmt::Display for Error {
             }
             Error::NonConforming { cells: [one, other] } => write!(
                 f,
-                "cells {one} and {other} do not fit (facets, where there are no cells): an edge or a face has a node in its \
-                 middle in one of them, and in the other it has none, or another one, or one that hangs beside the middle"
+                "cells {one} and {other} do not conform (facets, where there are no cells): an edge or a face has a \
+                 node in its middle in only one of them, or they have different nodes there, or a hanging node is not \
+                 in the middle"
             ),
             Error::InvertedCell { cell } => write!(
                 f,
-                "cell {cell} is inverted (a facet, where there are no cells): its nodes are numbered against the others, one in \
-                 the middle of an edge is too near to a corner, or a step of the host was too large"
+                "cell {cell} is inverted (a facet, where there are no cells): its nodes are numbered in the opposite \
+                 sense to other cells, a node in the middle of an edge is too near to a corner, or a step of the host \
+                 was too large"
             ),
             Error::Collapsed { cell, length, tolerance } => write!(
                 f,
-                "'weld' is {tolerance:.3e}, which would make one node of two of cell {cell} that are {length:.3e} apart: it must be \
-                 smaller than every edge"
+                "'weld' is {tolerance:.3e}, which would merge two nodes of cell {cell} that are {length:.3e} apart: \
+                 it must be smaller than every edge"
             ),
             Error::InvertedCells { cells, bow_ties } => {
                 let first = cells.first().copied().unwrap_or_default();
@@ -50,7 +52,7 @@ impl fmt::Display for Error {
                     if cells.len() == 1 { ("is", "1 cell".into()) } else { ("are", format!("{} cells", cells.len())) };
                 write!(f, "{count} {is} inverted, the first is {first}")?;
                 match bow_ties {
-                    0 => write!(f, ": nodes are numbered against the others, or cells are folded"),
+                    0 => write!(f, ": nodes are numbered in the opposite sense to other cells, or cells are folded"),
                     _ => write!(
                         f,
                         "; edges cross in {bow_ties} of them (a bow tie): their nodes do not go around the quadrilateral"
@@ -73,7 +75,7 @@ impl fmt::Display for Error {
                 write!(f, "the surface is open: facet {facet} has no neighbour at {}", at(*nodes))
             }
             Error::RepeatedCell { cells: [one, other] } => {
-                write!(f, "cells {one} and {other} have the same nodes: one of them is there twice")
+                write!(f, "cells {one} and {other} have the same nodes: one of them is a duplicate")
             }
             Error::NonManifold { facet, nodes } => {
                 write!(f, "facet or cell {facet} is the third to meet at {}", at(*nodes))
@@ -115,7 +117,8 @@ impl fmt::Display for Error {
             Error::NonFiniteStiffness { array, entry } => write!(f, "entry {entry} of '{array}' is not finite"),
             Error::SingularStiffness { dof } => write!(
                 f,
-                "the stiffness of bodies and contact together is singular at degree of freedom {dof}: is every body held?"
+                "the stiffness of bodies and contact together is singular at degree of freedom {dof}: is every body \
+                 supported?"
             ),
             Error::IndefiniteStiffness { dof, pivot } => write!(
                 f,
@@ -124,14 +127,14 @@ impl fmt::Display for Error {
             ),
             Error::NotPositiveDefinite { equation } => write!(
                 f,
-                "the stiffness is not positive definite: elimination leaves nothing positive at equation {equation}; is every \
-                 body held, or kept where contact holds it?"
+                "the stiffness is not positive definite, with a non-positive pivot at equation {equation}: is every \
+                 body supported, or are the equations retained through which contact supports it?"
             ),
             Error::NotFactorised => {
                 write!(f, "there are no factors: no matrix was factorised, or the last one could not be")
             }
             Error::Unsymmetric { row, column } => {
-                write!(f, "the matrix is not symmetric: entry ({row}, {column}) is not that of ({column}, {row})")
+                write!(f, "the matrix is not symmetric: entry ({row}, {column}) differs from entry ({column}, {row})")
             }
             Error::Place { code } => write!(f, "the function that places the nodes returned {code}"),
             Error::NonFiniteSlip { facet } => write!(f, "the slip of facet {facet} is not finite"),
@@ -139,15 +142,15 @@ impl fmt::Display for Error {
             Error::NoStep => {
                 write!(
                     f,
-                    "no step has begun: call begin_step before contact with friction is evaluated, and before commit_step; or in one call \
-                     contact_force_step"
+                    "no step has begun: call begin_step before contact with friction is evaluated, and before \
+                     commit_step; or use contact_force_step, in one call"
                 )
             }
             Error::NoStiffness => {
                 write!(
                     f,
-                    "the contact has no stiffness: give one, or have it found from the bodies' matrix, as the search for an equilibrium \
-                     does at its start"
+                    "the contact has no stiffness: give one, or let the search for an equilibrium find it from the \
+                     bodies' matrix"
                 )
             }
             Error::Untied { bodies: [a, b], distances: [reach, nearest], held } => {
@@ -157,8 +160,8 @@ impl fmt::Display for Error {
                 }
                 write!(
                     f,
-                    "face one another nowhere within {reach:.4e}: the nearest faces are {nearest:.4e} apart, or overlap so far; \
-                     a larger reach holds them together across it"
+                    "face one another nowhere within {reach:.4e}: the nearest faces are {nearest:.4e} apart, or \
+                     overlap by as much; a larger reach holds them together"
                 )
             }
             Error::DegenerateHull { point_count } => {
@@ -197,7 +200,7 @@ impl fmt::Display for Error {
                 write!(
                     f,
                     "the spacing is too small for these bodies: {needed:.3e} fibers or crossings would be needed, the \
-                     limit is {limit:.3e}; so it is, too, after a step of the host that has run away"
+                     limit is {limit:.3e}; a diverged step of the host has the same effect"
                 )
             }
             Error::UnfinishedLines { obstacle, lines, steps } => {
@@ -210,12 +213,12 @@ impl fmt::Display for Error {
             Error::TooManyPieces { sides: [(first, a), (second, b)], limit } => {
                 write!(
                     f,
-                    "the facets of {first} {a} and {second} {b} lie in so many layers that they fall apart into more than \
-                     {limit} pieces: a mesh is folded through itself, or a step of the host has run away"
+                    "the facets of {first} {a} and {second} {b} lie in so many layers that they fall apart into more \
+                     than {limit} pieces: a mesh is folded through itself, or a step of the host has diverged"
                 )
             }
             Error::Interrupted => write!(f, "the call was ended by its caller"),
-            Error::Memory { what, bytes } => write!(f, "{bytes} bytes for {what} cannot be had"),
+            Error::Memory { what, bytes } => write!(f, "{bytes} bytes for {what} could not be allocated"),
             Error::Overflow { quantity, value } => {
                 write!(f, "the {quantity} is {value}: beyond the range of a double")
             }
@@ -234,8 +237,8 @@ impl fmt::Display for Error {
             Error::RanksDiffer { rank } => {
                 write!(
                     f,
-                    "rank {rank} was given other coordinates, options or obstacles, or asked for something else: ranks \
-                     that share the work of a contact make the same calls with the same values"
+                    "rank {rank} was given other coordinates, options or obstacles, or made another call: ranks that \
+                     share the work of a contact make the same calls with the same values"
                 )
             }
             Error::Threads { threads } => {

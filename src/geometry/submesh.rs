@@ -47,7 +47,7 @@ impl<const D: usize> Submesh<D> {
     }
 }
 
-const HANGING: Error = Error::Unsupported { what: "nodes that hang in a mesh that is given in parts" };
+const HANGING: Error = Error::Unsupported { what: "hanging nodes in a mesh in parts" };
 
 /// What is known of the whole bodies.
 pub(crate) struct Whole<const D: usize> {
@@ -125,7 +125,7 @@ impl<const D: usize> Surface<D> {
         }
         if found != surface_faces {
             return Err(Error::Unsupported {
-                what: "cells that meet in a face of which one part of the mesh knows nothing",
+                what: "cells that meet in a face that one part of the mesh does not have",
             });
         }
         let Whole { surface_node_counts, reference_box, heights } = whole;

@@ -97,7 +97,7 @@ impl<const D: usize> Surface<D> {
         let surface = Self::of_straight_cells(&points, &blocks, bodies);
         let mut surface = surface.map_err(|error| division.folded(error, &points))?;
         if surface.cells.as_ref().is_some_and(Cells::is_refined) {
-            return Err(Error::Unsupported { what: "nodes that hang in a mesh with cells of second order" });
+            return Err(Error::Unsupported { what: "hanging nodes in a mesh with cells of second order" });
         }
         division.orient(|straight| surface.cells.as_ref().is_some_and(|cells| cells.is_flipped(straight)));
         surface.division = Some(division);

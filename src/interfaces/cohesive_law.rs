@@ -116,7 +116,10 @@ impl Cohesive {
         if let Softening::Ppr(ppr) = self.softening {
             ppr.check()?;
             let what = match self {
-                _ if self.stiffness != 0.0 => "a stiffness of a cohesive interface by the law ppr, whose slopes say it",
+                _ if self.stiffness != 0.0 => {
+                    "a stiffness of a cohesive interface by the law ppr, whose slopes \
+                    define it"
+                }
                 _ if self.exponent != Self::EXPONENT => {
                     "a mixed_mode_exponent of a cohesive interface by the law ppr, which mixes the modes by its potential"
                 }

@@ -54,7 +54,7 @@ impl Covered {
     pub(super) fn check(&self) -> Result<(), Error> {
         match self.0.values().any(|part| part.covered > 1.0 + TWICE) {
             true => Err(Error::Unsupported {
-                what: "bodies that are held together where faces of one lie above one another within reach",
+                what: "bodies that are held together where several faces of one lie within reach",
             }),
             false => Ok(()),
         }

@@ -20,7 +20,7 @@ const TOLERANCE_AT_CORNER: f64 = 1e-3;
 const ALIKE: f64 = 1e-12;
 
 /// What is said then.
-pub(crate) const ROUNDED: &str = ", but for rounding: so much may other numbers of ranks change, too";
+pub(crate) const ROUNDED: &str = ", except for rounding: other numbers of ranks may change results by as much";
 
 /// Whether answers, array by array, are the same but for rounding.
 pub(crate) fn alike(ones: &[&[f64]], others: &[&[f64]]) -> bool {
@@ -110,7 +110,7 @@ pub fn check_law(law: &dyn InterfaceLaw, check: &LawCheck) -> Result<LawReport, 
     ));
     if report.corners > 0 {
         report.sentences.push(format!(
-            "corners: at {} jumps the tangent is a derivative to one side, and differs from the one to the other",
+            "corners: at {} jumps the tangent is a one-sided derivative, and differs from the other side",
             report.corners
         ));
     }
@@ -141,7 +141,7 @@ impl Fault {
         let close = |x: f64| (x - found).abs() <= 1e-3 * found.abs();
         let why = match () {
             () if *given == 0.0 => ": the entry is missing",
-            () if close(-given) => ": its sign is the other one",
+            () if close(-given) => ": its sign is reversed",
             () if row != column && close(*mirrored) => ": rows and columns are exchanged, and rows are tractions",
             () => "",
         };
@@ -222,7 +222,9 @@ impl<'a> Asked<'a> {
     fn repeats(&self, first: &Answer) -> Result<String, Error> {
         let again = self.answer(&self.jumps, &self.history)?;
         if again != *first {
-            return Ok("answers: WRONG: the same jumps and history have another answer the second time: the law must keep nothing itself".into());
+            return Ok("answers: WRONG: the same jumps and history have another answer the second time: the law must \
+                not keep a state"
+                .into());
         }
         let (dim, per_point, mut is_rounded) = (self.dim, self.per_point, false);
         for point in 0..self.jumps.len() / dim {
@@ -238,12 +240,13 @@ impl<'a> Asked<'a> {
             is_rounded |= alone != beside;
             if !alike(&alone.parts(), &beside.parts()) {
                 return Ok(format!(
-                    "answers: WRONG: point {point} has another answer alone than beside others: points must not depend on one another"
+                    "answers: WRONG: point {point} has different answers alone and among other points: points must \
+                     not depend on one another"
                 ));
             }
         }
         Ok(format!(
-            "answers: the same question has the same answer, point by point{}",
+            "answers: the same input has the same answer, point by point{}",
             if is_rounded { ROUNDED } else { "" }
         ))
     }

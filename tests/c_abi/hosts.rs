@@ -128,7 +128,7 @@ fn a_law_of_friction_of_the_host_in_c() {
     let lines: Vec<&str> = printed.lines().collect();
     let [answers, derivatives, steps @ ..] = &lines[..] else { panic!("{printed}") };
     assert!(
-        answers.starts_with("answers: ") && derivatives.starts_with("derivatives: those of the limit"),
+        answers.starts_with("answers: ") && derivatives.starts_with("derivatives: they match the limit"),
         "{printed}"
     );
     assert_eq!(steps.len(), 3, "{printed}");

@@ -46,7 +46,7 @@ fn what_is_wrong_is_found_with_place_and_sizes() {
     assert!(check(&wrong(0), 3).is_right());
     for (what, texts) in [
         (1, ["the derivative of the limit by the pressure is given as 3.000000e-1", "differences of the limit have "]),
-        (2, ["the derivative of the limit by slip ", "its sign is the other one"]),
+        (2, ["the derivative of the limit by slip ", "its sign is reversed"]),
         (3, ["the derivative of the limit by slip ", "the entry is missing"]),
         (4, ["the derivative of the limit by the pressure is given as ", "off by "]),
     ] {

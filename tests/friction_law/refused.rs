@@ -82,18 +82,18 @@ fn what_a_pair_cannot_have_beside_a_law() {
     let at_rest = Some(StaticFriction { coefficient: 0.5, weakening_slip: 1.0 });
     let across = OrthotropicFriction::new(0.1, [1.0, 0.0, 0.0]);
     for (options, text) in [
-        (PairOptions::with_friction(0.2), "a coefficient of friction beside your own law of friction"),
+        (PairOptions::with_friction(0.2), "a coefficient of friction together with your own law of friction"),
         (
             PairOptions { static_friction: at_rest, ..plain },
-            "a coefficient of friction beside your own law of friction",
+            "a coefficient of friction together with your own law of friction",
         ),
         (
             PairOptions::with_orthotropic_friction(0.3, across),
-            "a coefficient of friction beside your own law of friction",
+            "a coefficient of friction together with your own law of friction",
         ),
         (PairOptions::rough(), "your own law of friction of a pair that is rough, tied,"),
         (PairOptions::tied(0.1), "your own law of friction of a pair that is rough, tied,"),
-        (PairOptions::with_wear([0.1, 0.0]), "a wear coefficient beside your own law of friction"),
+        (PairOptions::with_wear([0.1, 0.0]), "a wear coefficient together with your own law of friction"),
     ] {
         let error = contact.set_friction_law_pair(BODIES, options, Arc::new(coulomb(0.3))).unwrap_err();
         assert!(error.to_string().contains(text), "{error}");

@@ -186,7 +186,7 @@ fn a_cell_that_is_there_twice() {
         refused(twice(CellType::Tri3, &SQUARE, conn), error, &["cells 0 and 1 have the same nodes"]);
     }
     let error = Error::RepeatedCell { cells: [0, 2] };
-    refused(twice(CellType::Tri3, &SQUARE, &[0, 1, 2, 0, 2, 3, 1, 2, 0]), error, &["there twice"]);
+    refused(twice(CellType::Tri3, &SQUARE, &[0, 1, 2, 0, 2, 3, 1, 2, 0]), error, &["is a duplicate"]);
     // As two bodies they are in order.
     let blocks = [CellBlock { cell_type: CellType::Tri3, conn: &[0, 1, 2, 0, 1, 2] }];
     assert!(Surface::from_cells(&SQUARE, &blocks, Bodies::Ids(&[0, 1])).is_ok());

@@ -41,7 +41,7 @@ fn what_is_wrong_is_said_in_words() {
         assert!(fault.contains(text), "{fault}");
     };
     wrong(|one| one.tangent.swap(1, 2), "rows and columns are exchanged");
-    wrong(|one| one.tangent.iter_mut().for_each(|x| *x = -*x), "its sign is the other one");
+    wrong(|one| one.tangent.iter_mut().for_each(|x| *x = -*x), "its sign is reversed");
     wrong(|one| one.tangent[1] = 0.0, "derivative of traction 0 by jump 1 is given as 0");
     wrong(|one| one.tangent[1] = 0.0, "the entry is missing");
     wrong(|one| one.tangent[3] *= 1.0001, "derivative of traction 1 by jump 1");
@@ -65,7 +65,7 @@ fn a_law_that_keeps_something_itself_or_mixes_points_is_found_out() {
         energies: [0.0; 2],
     };
     let report = checked(counting, 0, 2, 0.1);
-    assert!(report.faults().next().is_some_and(|text| text.contains("keep nothing itself")), "{report:?}");
+    assert!(report.faults().next().is_some_and(|text| text.contains("not keep a state")), "{report:?}");
     struct Mixed;
     impl InterfaceLaw for Mixed {
         fn respond(&self, points: &LawPoints<'_>, response: &mut LawResponse<'_>) -> Result<(), LawFailure> {
@@ -88,7 +88,10 @@ fn a_law_that_keeps_something_itself_or_mixes_points_is_found_out() {
         }
     }
     let report = check_law(&Rounded, &LawCheck { fields: vec![7.0, 3.0], ..LawCheck::new(2, 0.1) }).expect("an answer");
-    assert!(report.is_right() && report.sentences[0].ends_with("may other numbers of ranks change, too"), "{report:?}");
+    assert!(
+        report.is_right() && report.sentences[0].ends_with("other numbers of ranks may change results by as much"),
+        "{report:?}"
+    );
 }
 
 #[test]

@@ -87,7 +87,7 @@ fn what_a_pair_with_a_law_cannot_have_is_refused_and_changes_nothing() {
             PairOptions { friction_coefficient: Some(0.3), ..options() },
             "friction of bodies with an interface by your own law",
         ),
-        (PairOptions { law: Some(EnergyLaw::depth(1.0)), ..options() }, "a law of contact beside"),
+        (PairOptions { law: Some(EnergyLaw::depth(1.0)), ..options() }, "a law of contact together with"),
         (PairOptions { excluded: true, ..options() }, "both left out and has an interface by your own law"),
         (PairOptions { interface: Interface::Law { reach: -1.0 }, ..options() }, "reach"),
     ];

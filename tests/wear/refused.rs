@@ -53,7 +53,7 @@ fn rows_that_are_no_wear_are_named() {
     let bad = |one: WornFacet| [known[0], one];
     let of = |row, what| Error::NoSuchRow { list: "worn facets", row, what };
     for (rows, wanted) in [
-        (bad(WornFacet { facet: 10_000, ..known[1] }), of(1, "a facet that there is not")),
+        (bad(WornFacet { facet: 10_000, ..known[1] }), of(1, "a facet that does not exist")),
         (bad(WornFacet { point: 1, ..known[1] }), of(1, "a point that does not move the facet")),
         (bad(known[0]), of(1, "a facet and a point that an earlier row names")),
     ] {

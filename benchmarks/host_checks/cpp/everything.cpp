@@ -613,7 +613,7 @@ void friction_by_our_own_law() {
   EXPECT(refused(FMC_ERROR_LENGTH, "history", [&] { lawful.set_friction_history({1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0}); }));
   fmc::PairOptions rubs;
   rubs.friction_coefficient = 0.2;
-  EXPECT(refused(FMC_ERROR_UNSUPPORTED, "beside your own law of friction",
+  EXPECT(refused(FMC_ERROR_UNSUPPORTED, "together with your own law of friction",
                  [&] { lawful.set_friction_law_pair(fmc::Partner::body(0), fmc::Partner::body(1), rubs, limit, 1); }));
   EXPECT(fmc::check_friction_law(limit, 1, 2, 1.0, 1.0).size() == 2);
   const auto wrong = [&](const fmc::FrictionFacets &facets, const fmc::FrictionResponse &response) {

@@ -54,7 +54,7 @@ def test_what_is_refused(square):
     with pytest.raises(errors.NonFiniteStiffnessError, match="entry 0 of 'residual'"):
         step([1], [[1.0]], [np.nan])
     springs = np.diag([0.0, 1.0, 0.0, 1.0])
-    with pytest.raises(errors.SingularStiffnessError, match="singular at degree of freedom 0: is every body held"):
+    with pytest.raises(errors.SingularStiffnessError, match="singular at degree of freedom 0: is every body supported"):
         step([0, 1, 2, 3], springs, np.ones(4))
     with pytest.raises(errors.IndefiniteStiffnessError, match="it is -1"):
         step([0, 1, 2, 3], springs - np.diag([1, 0, 1, 0]), np.ones(4))

@@ -87,12 +87,12 @@ def test_what_is_not_found_is_an_error_that_says_why(column):
     with pytest.raises(NotConvergedError, match="after 3 linear solves: the residual is") as caught:
         find_equilibrium(host, contact, coords, FREE, pushed(coords, 0.2), max_iterations=3, two_level=False)
     assert len(caught.value.residuals) == 4 and caught.value.iterations == 3 and contact.options["stiffness"] == K
-    with pytest.raises(NotConvergedError, match="Singular matrix: is every body held"):
+    with pytest.raises(NotConvergedError, match="Singular matrix: is every body supported"):
         find_equilibrium(lambda x: (np.ones(16), np.zeros((16, 16))), contact, coords, FREE)
     with pytest.raises(NotConvergedError, match="not finite"):
         find_equilibrium(lambda x: (np.full(16, np.nan), np.eye(16)), contact, coords, FREE)
     # The upper square is pushed through itself.
-    with pytest.raises(NotConvergedError, match="what is prescribed was not reached") as caught:
+    with pytest.raises(NotConvergedError, match="the prescribed values were not reached") as caught:
         loose = lambda x: (x.ravel() - coords.ravel(), np.eye(16))
         find_equilibrium(loose, contact, coords, FREE, pushed(coords, 3.0))
     assert 0 < caught.value.iterations <= 100

@@ -189,7 +189,7 @@ def test_what_a_law_raises_comes_out_and_leaves_the_contact_as_it_was():
 
 def test_what_cannot_be_is_refused():
     contact = by_law(SQUARE, coulomb)
-    with pytest.raises(errors.UnsupportedError, match="beside your own law of friction"):
+    with pytest.raises(errors.UnsupportedError, match="together with your own law of friction"):
         contact.pairs.set(*PAIR, friction_law=coulomb, friction_coefficient=0.3)
     with pytest.raises(errors.UnsupportedError, match="rough"):
         contact.pairs.set(*PAIR, friction_law=coulomb, interface="rough")
@@ -199,11 +199,11 @@ def test_what_cannot_be_is_refused():
         contact.pairs.set(*PAIR, friction_law=coulomb, history=-1)
     with pytest.raises(ValueError, match="transverse_coefficient"):
         contact.pairs.set(*PAIR, friction_law=coulomb, transverse_coefficient=0.1, direction=(1, 0, 0))
-    with pytest.raises(errors.UnsupportedError, match="wear coefficient beside your own law of friction"):
+    with pytest.raises(errors.UnsupportedError, match="wear coefficient together with your own law of friction"):
         contact.pairs.set_wear(*PAIR, 1e-6, 0.0)
     contact.pairs.reset(*PAIR)
     contact.pairs.set_wear(*PAIR, 1e-6, 0.0)
-    with pytest.raises(errors.UnsupportedError, match="wear coefficient beside your own law of friction"):
+    with pytest.raises(errors.UnsupportedError, match="wear coefficient together with your own law of friction"):
         contact.pairs.set(*PAIR, friction_law=coulomb)
     contact.pairs.set_wear(*PAIR, 0.0, 0.0)
     assert friction_of(contact, SQUARE + [0.1, 0.0]) == 0

@@ -1,4 +1,4 @@
-"""Memory that cannot be had is an error, not the end of the program."""
+"""Memory that could not be allocated is an error, not the end of the program."""
 
 import subprocess
 import sys
@@ -42,5 +42,5 @@ def test_memory_that_cannot_be_had_is_an_error():
     ended = subprocess.run([sys.executable, "-c", PROGRAM], capture_output=True, text=True)
     assert ended.returncode == 0, ended.stderr
     refused, volume, enough = ended.stdout.splitlines()
-    assert refused.startswith("refused: ") and "cannot be had" in refused
+    assert refused.startswith("refused: ") and "could not be allocated" in refused
     assert float(volume) == 0.0 and enough == "enough"

@@ -71,7 +71,7 @@ def test_refusals():
     floor = contact.obstacles.add_half_space((0, 0), (0, 1))
     with pytest.raises(errors.UnsupportedError, match="does not separate from an obstacle"):
         contact.pairs.set(0, ("obstacle", floor), interface="no_separation")
-    with pytest.raises(errors.UnsupportedError, match="never slides with friction without memory"):
+    with pytest.raises(errors.UnsupportedError, match="infinite coefficient with friction without memory"):
         Contact(COORDS, CONN, "quad", bodies=[0, 1, 1], stiffness=1e3, friction_coefficient=np.inf, memoryless_slip=1e-3)
     contact.pairs.set(0, ("obstacle", floor), interface="rough")
     contact.pairs.set(0, 1, interface="no_separation")

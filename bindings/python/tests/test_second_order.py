@@ -162,7 +162,7 @@ def test_cells_that_do_not_fit():
     coords, cells = block("hexahedron20")
     apex = len(coords)
     coords = np.vstack([coords, [[0.5, 0.5, 1.5]]])
-    with pytest.raises(errors.NonConformingError, match="cells 0 and 1 do not fit"):
+    with pytest.raises(errors.NonConformingError, match="cells 0 and 1 do not conform"):
         Contact(coords, [*cells, ("pyramid", [[4, 5, 6, 7, apex]])], stiffness=K)
     # Hexahedra of twenty and of twenty-seven nodes: only one of them has a node in the middle of their face.
     upper = CUBE + [0, 0, 1]

@@ -66,6 +66,6 @@ def test_what_is_refused_changes_nothing(contact: Contact) -> None:
         contact.pairs.set(0, 1, interface="tied", surfaces=(surface, 0))
     with pytest.raises(UnsupportedError, match="no facet of its body"):
         contact.pairs.set(0, 1, interface="tied", surfaces=(surface, far))
-    with pytest.raises(UnsupportedError, match="nothing holds together"):
+    with pytest.raises(UnsupportedError, match="that is not held together"):
         contact.pairs.set(0, 1, surfaces=(surface, surface))
     assert contact.pairs.options(0, 1) == before

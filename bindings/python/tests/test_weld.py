@@ -101,7 +101,7 @@ def test_what_cannot_be_is_refused_by_name():
     with pytest.raises(FmcError, match="'weld' is not supported for bodies given by facets"):
         Contact.from_facets([[0, 0], [1, 0], [0, 1]], edges, stiffness=1.0, law="fiber", weld=0.1)
     contact = Contact(coords, cells, "quad", stiffness=1e3)
-    with pytest.raises(FmcError, match="'weld' is that of the mesh"):
+    with pytest.raises(FmcError, match="'weld' belongs to the mesh"):
         contact.set_options(weld=0.1)
     assert contact.options["weld"] == 0
 

@@ -85,7 +85,7 @@ fn format(stream: &mut Stream) -> Result<Layout> {
             stream.encoding = match stream.take::<4>()? {
                 [1, 0, 0, 0] => Encoding::LittleEndian,
                 [0, 0, 0, 1] => Encoding::BigEndian,
-                _ => bail!("the byte order is not told by a 1 after $MeshFormat"),
+                _ => bail!("there is no 1 after $MeshFormat to give the byte order"),
             };
         }
         _ => bail!("its file type is '{file_type}'; 0 (text) and 1 (binary) are known"),

@@ -109,7 +109,7 @@ pub(super) fn of_text(text: &str) -> Result<Mesh> {
             deck.part_of(scope).sets.add_section(set);
         }
     }
-    ensure!(scope == Scope::Model, "the file ends within what begins in line {begun}");
+    ensure!(scope == Scope::Model, "the file ends within the block that begins in line {begun}");
     deck.mesh(text.len())
 }
 

@@ -152,10 +152,13 @@ fn what_is_wrong_is_named_with_its_line() {
         (format!("{PLANE}*ELSET,ELSET=X,GENERATE\n1,5,0\n"), "line 12: expected a whole number above 0, found '0'"),
         (format!("{PLANE}*END PART\n"), "line 11: *END PART stands where none can be"),
         (format!("{part}{part}"), "line 5: part A is there twice"),
-        ("*NODE\n1,0,0\n*PART,NAME=A\n".into(), "the file ends within what begins in line 3"),
+        ("*NODE\n1,0,0\n*PART,NAME=A\n".into(), "the file ends within the block that begins in line 3"),
         (format!("{part}*ASSEMBLY\n*INSTANCE,NAME=I,PART=B\n"), "line 6: there is no part 'B'"),
         (format!("{part}*ASSEMBLY\n*INSTANCE,NAME=I,PART=A\n0,0,0\n1,1,1,1,1,1,90\n"), "line 8: the two points"),
-        (format!("{part}*ASSEMBLY\n*INSTANCE,NAME=I,PART=A\n*NODE\n"), "the file ends within what begins in line 6"),
+        (
+            format!("{part}*ASSEMBLY\n*INSTANCE,NAME=I,PART=A\n*NODE\n"),
+            "the file ends within the block that begins in line 6",
+        ),
         (format!("{part}*ASSEMBLY\n*END ASSEMBLY\n"), "it has parts, but no *INSTANCE of any"),
         (format!("{PLANE}*ELEMENT,TYPE=R2D2\n9,1,2\n"), "line 11: elements of type R2D2 are rigid lines"),
         (

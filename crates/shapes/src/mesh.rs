@@ -35,7 +35,7 @@ impl<const D: usize> Mesh<D> {
     /// # Panics
     /// For a mesh of cells; [`Mesh::boundary`] gives their facets.
     pub fn facets(&self) -> Vec<[u32; D]> {
-        assert_eq!(self.nodes_per_cell, D, "a mesh of cells has no facets of its own");
+        assert_eq!(self.nodes_per_cell, D, "a mesh of cells has no separate facets");
         self.cells().map(|facet| facet.try_into().unwrap()).collect()
     }
 

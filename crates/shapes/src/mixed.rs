@@ -28,7 +28,7 @@ pub fn cuboid_pyramid5(min: [f64; 3], max: [f64; 3], cells: [usize; 3]) -> Mesh<
 /// # Panics
 /// For fewer than three layers.
 pub fn cuboid_mixed(min: [f64; 3], max: [f64; 3], cells: [usize; 3]) -> [Mesh<3>; 4] {
-    assert!(cells[2] > 2, "a layer of each kind is wanted");
+    assert!(cells[2] > 2, "expected a layer of each kind");
     let Mesh { mut coords, conn, .. } = cuboid_hex8(min, max, cells);
     let (mut hexahedra, mut prisms, mut pyramids, mut tetrahedra) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
     // x runs fastest, then y.

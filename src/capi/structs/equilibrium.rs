@@ -175,7 +175,7 @@ impl fmc_equilibrium_options {
         let switch = |name, value: i32| match value {
             0 => Ok(false),
             1 => Ok(true),
-            other => Err(Failure::new(FMC_ERROR_BAD_VALUE, format!("'{name}' is {other}, which there is not"))),
+            other => Err(Failure::new(FMC_ERROR_BAD_VALUE, format!("'{name}' is {other}, which does not exist"))),
         };
         Ok(DriverOptions {
             tolerance: self.tolerance,

@@ -93,7 +93,7 @@ impl fmc_multiplier {
         }
         let node = self.node.checked_sub(i64::from(index_base)).and_then(|node| u32::try_from(node).ok());
         let node = node.ok_or_else(|| {
-            let text = format!("multiplier {place} is of node {}, which there is not", self.node);
+            let text = format!("multiplier {place} is of node {}, which does not exist", self.node);
             Failure::new(FMC_ERROR_NODE_OUT_OF_RANGE, text)
         })?;
         Ok(Multiplier {

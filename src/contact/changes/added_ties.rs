@@ -32,8 +32,7 @@ pub(crate) fn add<const D: usize>(
     let pair = bodies.map(Partner::Body);
     let is_on = period == [0.0; D];
     if is_on && contact.partners.has(&pair, contact.method.options()) {
-        let what =
-            "a tie that is added where faces lie on one another, between bodies in contact: leave the pair out of it";
+        let what = "a tie between bodies in contact whose faces coincide: exclude their pair";
         return Err(Error::Unsupported { what });
     }
     if let Some([ours, theirs]) = &between.facets
@@ -43,7 +42,7 @@ pub(crate) fn add<const D: usize>(
     }
     let own = contact.partners.table.options(&pair).and_then(|own| own.law);
     if matches!(own.unwrap_or(contact.method.options().law), EnergyLaw::Volume { .. }) {
-        let what = "a tie that is added by the law volume, which has no stiffness by area: give the pair the law depth";
+        let what = "a tie by the law volume, which has no stiffness per area: give the pair the law depth";
         return Err(Error::Unsupported { what });
     }
     let Contact { mesh, method, ties, state, .. } = contact;
@@ -56,7 +55,7 @@ pub(crate) fn add<const D: usize>(
 pub(crate) fn check_law<const D: usize>(contact: &Contact<D>, law: &EnergyLaw) -> Result<(), Error> {
     match contact.ties.has_added() && matches!(law, EnergyLaw::Volume { .. }) {
         true => Err(Error::Unsupported {
-            what: "the law volume, which has no stiffness by area, beside a tie that was added",
+            what: "the law volume, which has no stiffness per area, together with an added tie",
         }),
         false => Ok(()),
     }
@@ -72,9 +71,7 @@ pub(crate) fn check_pair<const D: usize>(
     let of_contact = contact.method.options();
     let is_in_contact = options.map_or(a != b || of_contact.self_contact, |own| own.is_in_contact());
     if is_in_contact && contact.ties.has_added_on([a, b]) {
-        return Err(Error::Unsupported {
-            what: "contact of bodies with a tie that was added where their faces lie on one another",
-        });
+        return Err(Error::Unsupported { what: "contact of bodies with an added tie whose faces coincide" });
     }
     options.and_then(|own| own.law).map_or(Ok(()), |law| check_law(contact, &law))
 }

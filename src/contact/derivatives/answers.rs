@@ -174,7 +174,7 @@ pub(super) fn check_smooth<const D: usize>(
     let (Estimator::Fibers(options) | Estimator::Auto(options)) = method.options().estimator else { return Ok(()) };
     if is_sampled && (options.momentum_correction || options.weights != LineWeights::Consistent) {
         return refused(
-            "derivatives of what is sampled, unless its weights are consistent and momentum_correction is off",
+            "derivatives of sampled results, unless their weights are consistent and momentum_correction is off",
         );
     }
     Ok(())

@@ -62,10 +62,10 @@ impl<'a> Along<'a> {
                 Partner::Obstacle(index) => index < obstacles,
             };
             if !pair.partners.iter().all(is_there) {
-                return refuse("a partner that there is not");
+                return refuse("a partner that does not exist");
             }
             if pair.partners[0] > pair.partners[1] || matches!(pair.partners[0], Partner::Obstacle(_)) {
-                return refuse("sides in another order than pairs have");
+                return refuse("sides in another order than in the pairs");
             }
         }
         let of_pairs: Vec<f64> = given.pairs.iter().flat_map(rates).collect();

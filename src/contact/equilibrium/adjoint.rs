@@ -54,7 +54,7 @@ impl<const D: usize> Contact<D> {
     ) -> Result<Adjoint<D>, Error> {
         let refused = |what| Err(Error::Unsupported { what });
         if !self.history.multipliers.is_empty() {
-            return refused("the adjoint of an equilibrium with multipliers, as where a penetration is asked for");
+            return refused("the adjoint of an equilibrium with multipliers, which a penetration tolerance needs");
         }
         if self.partners.has_friction(self.method.options()) {
             return refused("the adjoint of an equilibrium with friction");

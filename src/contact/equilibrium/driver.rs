@@ -185,6 +185,6 @@ fn check(request: &Request, answer: &Answer, expected: usize) -> Result<(), Erro
             length("vector", vector.len())
         }
         (Request::Condensed { .. }, Answer::Step { step, .. }) => length("step", step.len()),
-        _ => Err(Error::Unsupported { what: "an answer of another kind than was asked for" }),
+        _ => Err(Error::Unsupported { what: "an answer of another kind than requested" }),
     }
 }

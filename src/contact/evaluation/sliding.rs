@@ -83,7 +83,7 @@ fn sliding_of<'a, const D: usize>(
     let Contact { mesh, partners, method, history, .. } = contact;
     let friction = partners.friction_of(pair, method.options());
     let Some(step) = history.step.as_ref().filter(|_| friction.is_active()) else { return Ok(None) };
-    let what = "friction with a law that has no stiffness of its own: set the friction's";
+    let what = "friction with a law without a stiffness: set the stiffness of friction";
     let stick = match friction.memoryless_slip {
         Some(slip) => Stick::Memoryless(slip / history.sticking.max(f64::MIN_POSITIVE.sqrt())),
         None => {

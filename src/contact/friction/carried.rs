@@ -71,13 +71,13 @@ pub(crate) fn of_list<const D: usize>(
     let mut carried = CarriedSlip::new();
     for (row, one) in list.iter().enumerate() {
         let refuse = |what| Err(Error::NoSuchRow { list: "slip", row, what });
-        let Some(body) = body_of(one.facet) else { return refuse("a facet that there is not") };
+        let Some(body) = body_of(one.facet) else { return refuse("a facet that does not exist") };
         let is_there = match one.partner {
             Partner::Body(index) => index < body_count,
             Partner::Obstacle(index) => index < obstacle_count,
         };
         if !is_there {
-            return refuse("a partner that there is not");
+            return refuse("a partner that does not exist");
         }
         let own = Partner::Body(body);
         let pair = if one.is_second { [one.partner, own] } else { [own, one.partner] };

@@ -87,13 +87,12 @@ pub fn check_friction_law(law: &dyn FrictionLaw, check: &FrictionLawCheck) -> Re
     report.largest_error = worst.error;
     report.sentences.push(match worst.error > TOLERANCE {
         true => worst.told(),
-        false => format!("derivatives: those of the limit, to {:.1e} of it", worst.error),
+        false => format!("derivatives: they match the limit, to {:.1e} of it", worst.error),
     });
     if report.corners > 0 {
-        report.sentences.push(format!(
-            "corners: {} derivatives are those to one side, and differ from those to the other",
-            report.corners
-        ));
+        report
+            .sentences
+            .push(format!("corners: {} derivatives are one-sided, and differ from the other side", report.corners));
     }
     Ok(report)
 }
@@ -115,7 +114,7 @@ impl Fault {
         let name = if *by == 0 { "the pressure".to_owned() } else { format!("slip {}", by - 1) };
         let why = match () {
             () if *given == 0.0 => ": the entry is missing",
-            () if (given + found).abs() <= 1e-3 * found.abs() => ": its sign is the other one",
+            () if (given + found).abs() <= 1e-3 * found.abs() => ": its sign is reversed",
             () => "",
         };
         format!(
@@ -185,7 +184,7 @@ impl<'a> Asked<'a> {
     fn repeats(&self, first: &Limits, history: &[f64]) -> Result<String, Error> {
         if self.answer(&self.at, history)? != *first {
             return Ok(
-                "answers: WRONG: the same facets have another answer the second time: the law must keep nothing itself"
+                "answers: WRONG: the same facets have another answer the second time: the law must not keep a state"
                     .into(),
             );
         }
@@ -202,12 +201,13 @@ impl<'a> Asked<'a> {
             is_rounded |= alone != beside;
             if !alike(&alone.parts(), &beside.parts()) {
                 return Ok(format!(
-                    "answers: WRONG: facet {facet} has another answer alone than beside others: facets must not depend on one another"
+                    "answers: WRONG: facet {facet} has different answers alone and among other facets: facets must \
+                     not depend on one another"
                 ));
             }
         }
         Ok(format!(
-            "answers: the same question has the same answer, facet by facet{}",
+            "answers: the same input has the same answer, facet by facet{}",
             if is_rounded { ROUNDED } else { "" }
         ))
     }

@@ -89,7 +89,8 @@ impl Friction {
             return refuse("cohesion", self.cohesion);
         }
         if self.coefficient.is_infinite() && self.memoryless_slip.is_some() {
-            let what = "what never slides with friction without memory, by which it creeps: leave memoryless_slip at its default";
+            let what = "an infinite coefficient with friction without memory, which creeps: leave memoryless_slip at \
+                its default";
             return Err(Error::Unsupported { what });
         }
         for (name, value) in [("friction_stiffness", self.stiffness), ("memoryless_slip", self.memoryless_slip)] {
@@ -109,8 +110,8 @@ impl Friction {
                 return refuse("weakening_slip", weakening_slip);
             }
             if self.memoryless_slip.is_some() {
-                let what = "a static coefficient with friction without memory, which does not know what rests: leave one of \
-                            static_coefficient and memoryless_slip at its default";
+                let what = "a static coefficient with friction without memory, which cannot tell sticking facets: \
+                    leave one of static_coefficient and memoryless_slip at its default";
                 return Err(Error::Unsupported { what });
             }
         }

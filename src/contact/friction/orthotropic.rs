@@ -67,7 +67,7 @@ impl OrthotropicFriction {
             return Err(Error::NotPositive { name: "length of direction", value: length });
         }
         let what = if along.coefficient.is_infinite() {
-            "a transverse_coefficient beside an infinite coefficient of friction"
+            "a transverse_coefficient with an infinite coefficient of friction"
         } else if along.cohesion != 0.0 || along.shear_limit.is_finite() {
             "a transverse_coefficient with a cohesion or a shear limit, which have no direction"
         } else if along.at_rest.is_some() && along.coefficient == 0.0 {

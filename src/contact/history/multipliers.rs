@@ -33,11 +33,11 @@ const MOST_PACE: f64 = 4.0;
 /// stiffness times penetration.
 pub(crate) fn check_law(law: &EnergyLaw, is_own: bool) -> Result<(), Error> {
     let what = match law {
-        _ if is_own => "a penetration asked for with self-contact",
+        _ if is_own => "a penetration tolerance with self-contact",
         EnergyLaw::Fiber(PenetrationLaw { profile: EnergyProfile::Quadratic, .. }) | EnergyLaw::Depth { .. } => {
             return Ok(());
         }
-        _ => "a penetration asked for under a law whose pressure is not a stiffness times the penetration",
+        _ => "a penetration tolerance with a law whose pressure is not a stiffness times the penetration",
     };
     Err(Error::Unsupported { what })
 }

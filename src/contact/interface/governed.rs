@@ -22,7 +22,7 @@ impl<const D: usize> Contact<D> {
         law: Arc<dyn InterfaceLaw>,
     ) -> Result<(), Error> {
         if !matches!(options.interface, Interface::Law { .. }) {
-            return Err(Error::Unsupported { what: "your own law beside another interface than 'law'" });
+            return Err(Error::Unsupported { what: "your own law with another interface than 'law'" });
         }
         changes::options::set_pair(self, partners, Some(options), (Some(&OwnLaw::new(law)), None))
     }

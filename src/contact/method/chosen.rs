@@ -55,8 +55,8 @@ impl<const D: usize> Method<D> {
 fn check_depth<const D: usize>(surface: &Surface<D>, options: &Options) -> Result<(), Error> {
     let between_bodies = surface.body_count() > 1 || options.self_contact;
     if options.law.needs_depth() && between_bodies && surface.cells.is_none() {
-        let what = "the law depth between bodies given by facets, since depth is that of cells: give cells, or set the \
-                    law fiber or volume";
+        let what = "the law depth between bodies given by facets, since depth needs cells: give cells, or set the law \
+            fiber or volume";
         return Err(Error::Unsupported { what });
     }
     let is_rubbed = options.friction.is_active() && !options.law.needs_depth() && !options.law.is_fiber();

@@ -75,8 +75,7 @@ impl Options {
         self.check_axisymmetry()?;
         let is_rubbed_volume = self.friction.is_active() && matches!(self.law, EnergyLaw::Volume { .. });
         if is_rubbed_volume && self.friction.stiffness.is_none() && self.friction.memoryless_slip.is_none() {
-            let what = "friction with the law volume, which has no stiffness by penetration, without a stiffness of \
-                        its own: set friction_stiffness";
+            let what = "friction with the law volume, which has no penetration stiffness: set friction_stiffness";
             return Err(Error::Unsupported { what });
         }
         let positive = |name, value: f64| {

@@ -191,12 +191,16 @@ fn check_friction_law(options: &PairOptions) -> Result<(), Error> {
         options.friction_coefficient.is_some() || options.static_friction.is_some() || options.orthotropic.is_some();
     let what = match () {
         () if !options.friction_law => return Ok(()),
-        () if has_own => "a coefficient of friction beside your own law of friction, which says when the pair slides",
+        () if has_own => {
+            "a coefficient of friction together with your own law of friction, which decides when the \
+            pair slides"
+        }
         () if options.interface != Interface::Contact => {
             "your own law of friction of a pair that is rough, tied, does not separate, has a cohesive interface, or one by your own law"
         }
         () if options.wear_coefficients != [0.0; 2] => {
-            "a wear coefficient beside your own law of friction, which does not say how the pressure grew in the step"
+            "a wear coefficient together with your own law of friction, which does not give the growth of the \
+             pressure in the step"
         }
         () => return Ok(()),
     };
@@ -228,7 +232,7 @@ fn check_wear(pair: &[Partner; 2], options: &PairOptions, law: &EnergyLaw) -> Re
 
 fn check_offset(pair: &[Partner; 2], options: &PairOptions, has_depth: bool) -> Result<(), Error> {
     let value = options.gap_offset;
-    let apart = "a positive gap offset between bodies, which know no distance from one another where they are apart";
+    let apart = "a positive gap offset between bodies, since the distance of separated bodies is not measured";
     let law = "a gap offset between bodies by another law than depth";
     match pair[1] {
         _ if !value.is_finite() => Err(Error::NotPositive { name: "gap_offset", value }),
@@ -253,9 +257,9 @@ fn check_interface(pair: &[Partner; 2], options: &PairOptions, law: &EnergyLaw) 
     let has_contact = options.surfaces.is_some() && !options.excluded;
     let is_cohesive = matches!(interface, Interface::Cohesive(_));
     let what = match pair {
-        _ if !is_held && options.surfaces.is_some() => "named surfaces of a pair that nothing holds together",
+        _ if !is_held && options.surfaces.is_some() => "named surfaces of a pair that is not held together",
         _ if interface == Interface::Contact => return Ok(()),
-        _ if interface == Interface::Rough && options.excluded => "a pair that is both left out and rough",
+        _ if interface == Interface::Rough && options.excluded => "a pair that is both excluded and rough",
         _ if interface == Interface::Rough && rubs => "friction of a rough pair, which never slides",
         _ if interface == Interface::Rough => return Ok(()),
         [_, Partner::Obstacle(_)] => of(
@@ -271,13 +275,13 @@ fn check_interface(pair: &[Partner; 2], options: &PairOptions, law: &EnergyLaw) 
             "an interface by your own law of a body with itself",
         ),
         _ if options.excluded && options.surfaces.is_none() => of(
-            "a pair that is both left out and tied",
-            "a pair that is both left out and does not separate",
-            "a pair that is both left out and has a cohesive interface",
-            "a pair that is both left out and has an interface by your own law",
+            "a pair that is both excluded and tied",
+            "a pair that is both excluded and does not separate",
+            "a pair that is both excluded and has a cohesive interface",
+            "a pair that is both excluded and has an interface by your own law",
         ),
         _ if has_contact && !matches!(law, EnergyLaw::Depth { .. }) => {
-            "named surfaces with another law than depth, by which the other faces press"
+            "named surfaces with another law than depth, by which all other faces press"
         }
         // What is broken rubs, by one coefficient.
         _ if is_cohesive && !has_contact && options.static_friction.is_some() => {
@@ -287,14 +291,15 @@ fn check_interface(pair: &[Partner; 2], options: &PairOptions, law: &EnergyLaw) 
             "friction of bodies that are tied: they do not slide",
             "friction of bodies that do not separate: they slide freely",
             "",
-            "friction of bodies with an interface by your own law, which says how they slide",
+            "friction of bodies with an interface by your own law, which defines their sliding",
         ),
         _ if options.gap_offset != 0.0 => {
             "a gap offset of bodies that are tied, do not separate, have a cohesive interface, or one by your own law: their gap is kept as it is"
         }
         _ if interface_needs_law(interface) && matches!(law, EnergyLaw::Volume { .. }) => of(
-            "bodies that are tied by the law volume, which has no stiffness by area: give the pair the law depth",
-            "bodies that do not separate by the law volume, which has no stiffness by area: give the pair the law depth",
+            "bodies that are tied by the law volume, which has no stiffness per area: give the pair the law depth",
+            "bodies that do not separate by the law volume, which has no stiffness per area: give the pair the law \
+             depth",
             "",
             "",
         ),
@@ -302,7 +307,7 @@ fn check_interface(pair: &[Partner; 2], options: &PairOptions, law: &EnergyLaw) 
             "",
             "",
             "a law of bodies with a cohesive interface, which has its own",
-            "a law of contact beside an interface by your own law",
+            "a law of contact together with an interface by your own law",
         ),
         _ => return check_values(interface),
     };

@@ -26,7 +26,7 @@ pub(super) fn check<I: IntoIterator<Item = u32>>(
     let mut known = std::collections::BTreeSet::new();
     for (row, one) in list.iter().enumerate() {
         let refuse = |what| Err(Error::NoSuchRow { list: "worn facets", row, what });
-        let Some(points) = points_of(one.facet) else { return refuse("a facet that there is not") };
+        let Some(points) = points_of(one.facet) else { return refuse("a facet that does not exist") };
         if !points.into_iter().any(|point| point == one.point) {
             return refuse("a point that does not move the facet");
         }

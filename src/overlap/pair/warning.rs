@@ -214,28 +214,28 @@ impl fmt::Display for Warning {
                 "{a} and {b}: the fibers are {spacing:.3e} apart, the facets in contact only {facet_size:.3e} wide"
             ),
             Warning::UnresolvedOverlap { a, b, fibers } => {
-                write!(f, "{a} and {b}: the overlap was met by {fibers} fibers only")
+                write!(f, "{a} and {b}: only {fibers} fibers cross the overlap")
             }
             Warning::PatchLeftOut { a, b, normal: [x, y, z], area, depth } => write!(
                 f,
-                "{a} and {b}: a patch of the contact is not counted beside a shallower or larger one; its area is {area:.3e}, \
-                 its penetration {depth:.3e}, its normal ({x:.3}, {y:.3}, {z:.3})"
+                "{a} and {b}: a patch of the contact next to a shallower or larger one is not counted; its area is \
+                 {area:.3e}, its penetration {depth:.3e}, its normal ({x:.3}, {y:.3}, {z:.3})"
             ),
             Warning::Unbalanced { a, b, imbalance } => {
                 write!(f, "{a} and {b}: the forces between them do not balance, by {imbalance:.1e} of their size")
             }
             Warning::FlushFaces { a, b, area } => write!(
                 f,
-                "{a} and {b}: faces of an area of {area:.3e} lie in one plane and look the same way; if it is a plane of \
-                 symmetry, name its nodes (symmetry nodes), if not, name none"
+                "{a} and {b}: faces of an area of {area:.3e} lie in one plane and face the same way; if it is a plane \
+                 of symmetry, name its nodes (symmetry nodes), if not, name none"
             ),
             Warning::CoincidingFaces { body, area, nodes } => {
                 let named: Vec<String> = nodes.iter().take(NAMED).map(usize::to_string).collect();
                 let more = if nodes.len() > NAMED { ", …" } else { "" };
                 write!(
                     f,
-                    "{body}: faces of an area of {area:.3e} lie on one another and look at each other, as where nodes were not merged \
-                     or a cell was left out; their nodes, {} in all: {}{more}",
+                    "{body}: faces of an area of {area:.3e} coincide and face each other, as where nodes were not \
+                     merged or a cell was left out; their nodes, {} in all: {}{more}",
                     nodes.len(),
                     named.join(", ")
                 )
@@ -247,34 +247,36 @@ impl fmt::Display for Warning {
             ),
             Warning::CurvedFaces { a, b, sag, penetration, remedy } => write!(
                 f,
-                "{a} and {b}: facets in contact lie {sag:.3e} beside the round surfaces that they stand for, and penetrate by {penetration:.3e} \
-                 only; pressures may be wrong by factors where the surfaces conform: {remedy}take a finer mesh"
+                "{a} and {b}: facets in contact are {sag:.3e} away from the round surfaces that they represent, and \
+                 penetrate by only {penetration:.3e}; pressures may be wrong by factors where the surfaces conform: \
+                 {remedy}take a finer mesh"
             ),
             Warning::CoarseFaces { a, b, error, penetration } => write!(
                 f,
-                "{a} and {b}: the cells are coarse for the curved faces in contact: these are known to {error:.3e} only, and penetrate by \
-                 {penetration:.3e}; pressures at single points may be wrong by as much: take a finer mesh, the error falls with the fourth \
-                 power of the cell size"
+                "{a} and {b}: the cells are coarse for the curved faces in contact: their error is {error:.3e}, and \
+                 they penetrate by {penetration:.3e}; pressures at single points may be wrong by as much: take a \
+                 finer mesh, the error falls with the fourth power of the cell size"
             ),
             Warning::UnusedSmoothing { a, b } => write!(
                 f,
-                "{a} and {b}: set_surface_smoothing has no effect on them, since only the law depth measures round faces; straight facets \
-                 stand for them"
+                "{a} and {b}: set_surface_smoothing has no effect on them, since only the law depth measures round \
+                 faces; they are measured by straight facets"
             ),
             Warning::TiedInPart { a, b, tied, left_out, distances: [reach, farthest] } => write!(
                 f,
-                "{a} and {b} are tied over an area of {tied:.3e}; {left_out:.3e} more of the same faces lies farther apart than the reach of \
-                 {reach:.3e}, up to {farthest:.3e}, and is not tied: give a larger reach if it shall be"
+                "{a} and {b} are tied over an area of {tied:.3e}; {left_out:.3e} more of the same faces lies farther \
+                 apart than the reach of {reach:.3e}, up to {farthest:.3e}, and is not tied: set a larger reach to \
+                 tie it"
             ),
             Warning::NoFrictionDirection { a, b, facet, part } => write!(
                 f,
-                "{a} and {b}: the direction of their friction is perpendicular to facets that bear {part:.3} of it, facet {facet} the most: \
-                 there the transverse coefficient holds for all slip"
+                "{a} and {b}: the direction of their friction is perpendicular to facets that carry {part:.3} of it, \
+                 facet {facet} the most: there the transverse coefficient holds for all slip"
             ),
             Warning::LargeWear { a, b, ratio } => write!(
                 f,
-                "{a} and {b}: this step, with all of its cycles, wears off up to {ratio:.3} times their penetration: pressures may go up and \
-                 down from step to step; take smaller steps or fewer cycles"
+                "{a} and {b}: this step, with all of its cycles, wears off up to {ratio:.3} times their penetration: \
+                 pressures may oscillate from step to step; take smaller steps or fewer cycles"
             ),
             Warning::SwallowedBody { inner, outer } => write!(f, "{inner} lies inside {outer} and is not pushed out"),
         }

@@ -6,7 +6,7 @@ use fmc_contact::{
     EnergyLaw, EnergyProfile, Estimator, FiberOptions, FiberPattern, LineWeights, Options, PenetrationLaw, Resolution,
 };
 
-/// How overlap is measured and what it costs.
+/// Measure and energy of overlap.
 #[derive(Args, Clone, Debug)]
 #[command(next_help_heading = "Estimator and energy law")]
 pub(crate) struct EstimatorArgs {

@@ -72,7 +72,7 @@ pub(crate) struct ForceArgs {
     #[arg(long, value_name = "K", value_parser = positive)]
     stiffness: f64,
 
-    /// Unit of length of the meshes, for what is printed: no number changes, K is then a force by this length cubed
+    /// Unit of length of the meshes, for printed units: no number changes, K is then a force per this length cubed
     #[arg(long, value_enum, value_name = "UNIT", default_value_t)]
     unit: Unit,
 
@@ -85,10 +85,10 @@ pub(crate) struct ForceArgs {
     #[arg(long, value_name = "MESH=[X,Y,Z,]ANGLE")]
     rotate: Vec<Rotation>,
 
-    /// What a body is: each file, each connected part of the meshes, each instance of a part (Abaqus), or each physical
-    /// group (VTU: each value of the cell array body, gmsh:physical, medit:ref or CellEntityIds; Abaqus without parts: the
-    /// element set of a section, else the first) [default: instance if there are any; else file, or component if there is
-    /// one file only]
+    /// Definition of a body: each file, each connected part of the meshes, each instance of a part (Abaqus), or each
+    /// physical group (VTU: each value of the cell array body, gmsh:physical, medit:ref or CellEntityIds; Abaqus without
+    /// parts: the element set of a section, else the first) [default: instance if there are any; else file, or component
+    /// if there is one file only]
     #[arg(long, value_enum, value_name = "WHAT")]
     bodies: Option<DivideBy>,
 

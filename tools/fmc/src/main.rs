@@ -115,7 +115,7 @@ fn main() -> ExitCode {
         Command::Man(args) => man::run(Cli::command(), &args).map(|()| ExitCode::SUCCESS),
     };
     result.unwrap_or_else(|error| {
-        // Who reads no further, as `head` does, has what it wants.
+        // A reader that stops early, as `head` does, is no error.
         let cause = error.chain().find_map(|cause| cause.downcast_ref::<std::io::Error>());
         if cause.is_some_and(|cause| cause.kind() == std::io::ErrorKind::BrokenPipe) {
             return ExitCode::SUCCESS;

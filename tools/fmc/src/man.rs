@@ -1,4 +1,4 @@
-//! `fmc man`: the pages of the manual, made from what `--help` is made of, so that they cannot say anything else.
+//! `fmc man`: the pages of the manual, made from the same source as `--help`, so that they agree.
 
 use anyhow::{Context, Result};
 use clap::Command;
@@ -24,7 +24,7 @@ pub(crate) fn run(command: Command, args: &ManArgs) -> Result<()> {
         .with_context(|| format!("the pages cannot be written to {}", args.folder.display()))
 }
 
-/// The page of a command and those of the commands below it.
+/// The page of a command and the pages of its subcommands.
 fn write_pages(command: Command, folder: &Path) -> io::Result<()> {
     for below in command.get_subcommands().filter(|below| !below.is_hide_set()) {
         write_pages(below.clone(), folder)?;

@@ -4,10 +4,11 @@
 pub(crate) fn next_step(command: &str) -> String {
     match command {
         "run" | "mesh" => format!(
-            "Cases that come along: fmc list. What a case may hold: benchmarks/cases. Options and examples: fmc {command} --help"
+            "Included cases: fmc list. Contents of a case: benchmarks/cases. Options and examples: fmc {command} \
+             --help"
         ),
         "study" => {
-            "Cases that come along: fmc list. Options and examples: fmc study --help, fmc study impact --help".into()
+            "Included cases: fmc list. Options and examples: fmc study --help, fmc study impact --help".into()
         }
         "report" => "Names of examples: fmc list, or none for all of them. Options: fmc report --help".into(),
         other => format!("Formats, options and examples: fmc {other} --help"),

@@ -73,7 +73,7 @@ fn a_penetration_beside_a_given_slope_is_refused() {
     let refused = program.output().unwrap();
     let told = String::from_utf8_lossy(&refused.stderr).into_owned();
     assert_eq!(refused.status.code(), Some(2), "{told}");
-    assert!(told.contains("LINEAR gives the pressure by penetration"), "{told}");
+    assert!(told.contains("LINEAR defines the pressure by penetration"), "{told}");
     fs::remove_dir_all(folder).unwrap();
 }
 

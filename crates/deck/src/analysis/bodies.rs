@@ -64,7 +64,7 @@ impl Places {
                     let is_plate = |material: &Material| material.law == Law::PlaneStress;
                     let what = match is_plate(&materials[cell].0) == is_plate(&material) {
                         true => "two materials: solved are bodies of one, or bodies that are tied",
-                        false => "elements of plane strain beside such of plane stress",
+                        false => "elements of plane strain together with elements of plane stress",
                     };
                     let message = format!("{name} has {what}");
                     return Err(Fault::new(materials[cell].1, message));

@@ -215,7 +215,7 @@ fn check_held(equation: &Equation, row: &[(Freedom, [f64; 2])], known: &Known) -
     let named: Vec<String> =
         row.iter().map(|((place, axis), _)| format!("{} of node {}", axis + 1, (known.label)(*place))).collect();
     let message = format!(
-        "this equation cannot hold: all that it leaves is held, degrees of freedom {}, and misses it by {sum:.6e}",
+        "this equation cannot hold: its remaining degrees of freedom {} are fixed, and violate it by {sum:.6e}",
         named.join(", ")
     );
     Err(Fault::new(equation.line, message))

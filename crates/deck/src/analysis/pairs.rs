@@ -41,12 +41,16 @@ pub(super) fn stiffness(deck: &Deck, wanted: f64) -> Result<Option<f64>, Fault> 
     if wanted > 0.0 {
         return Err(Fault::new(
             row.line,
-            "LINEAR gives the pressure by penetration, and no penetration can be asked for beside it",
+            "LINEAR defines the pressure by penetration, so that no penetration tolerance can be set",
         ));
     }
     let is_mixed = deck.pairs.iter().any(|row| of(row) != slope) || !deck.ties.is_empty();
     match is_mixed {
-        true => Err(Fault::new(row.line, "LINEAR is known for all contact pairs with one slope, and not beside *TIE")),
+        true => Err(Fault::new(
+            row.line,
+            "LINEAR is supported for all contact pairs with one slope, and not together \
+            with *TIE",
+        )),
         false => Ok(of(row)),
     }
 }
@@ -60,7 +64,7 @@ pub(super) fn adjustment<const D: usize>(deck: &Deck, bodies: Bodies<D>) -> Resu
         return Err(Fault::new(other.line, "ADJUST of *CONTACT PAIR is known for all contact pairs with one length"));
     }
     if !deck.ties.is_empty() {
-        return Err(Fault::new(row.line, "ADJUST of *CONTACT PAIR is not known beside *TIE"));
+        return Err(Fault::new(row.line, "ADJUST of *CONTACT PAIR is not supported together with *TIE"));
     }
     let all = 0..bodies.model.parts().len();
     let facet = all.map(|body| facet_size(bodies, body)).fold(f64::INFINITY, f64::min);
@@ -89,7 +93,8 @@ pub(super) fn pairs<const D: usize>(deck: &Deck, bodies: Bodies<D>) -> Result<Pa
         let is_self = row.surfaces[0].eq_ignore_ascii_case(&row.surfaces[1]);
         let is_all = row.surfaces[0].is_empty();
         if touching.is_empty() && !is_all {
-            let message = "contact pairs choose bodies, which may also touch beside the surfaces named here".to_owned();
+            let message =
+                "contact pairs choose bodies, which may also touch outside the surfaces named here".to_owned();
             pairs.notes.push(Note { line: row.line, message });
         }
         let count = bodies.model.parts().len();

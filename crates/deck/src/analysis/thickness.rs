@@ -23,7 +23,7 @@ pub(super) fn thickness(deck: &Deck, dimension: usize) -> Result<f64, Fault> {
         None => Ok(first.thickness),
         Some(other) => {
             let message = format!(
-                "a thickness of {} beside {} in line {}: known is one thickness of all bodies",
+                "a thickness of {} besides {} in line {}: all bodies must have one thickness",
                 other.thickness, first.thickness, first.line
             );
             Err(Fault::new(other.line, message))

@@ -11,9 +11,9 @@ const WORDS: [(&str, &str); 7] = [
     ("An adjustment removes overlaps without strain", "ADJUST=length of *CONTACT PAIR removes overlaps without strain"),
     ("set_surface_smoothing measures round faces, or ", "take elements of second order, or "),
     ("facets meet at more than the angle of set_surface_smoothing: raise the angle, or ", ""),
-    ("give a larger reach if it shall be", "give *TIE a larger POSITION TOLERANCE if it shall be"),
+    ("set a larger reach to tie it", "give *TIE a larger POSITION TOLERANCE to tie it"),
     (
-        "take smaller load steps, or allow more updates and ask for a penetration",
+        "set a penetration, take smaller load steps, or allow more updates",
         "take smaller increments in *STATIC, or --penetration",
     ),
     ("take smaller load steps", "take smaller increments in *STATIC"),

@@ -225,12 +225,12 @@ impl Deck {
                 let kind = keyword.required("TYPE")?;
                 let (cell_type, is_variant) = solved(keyword.line, kind)?;
                 if self.mesh.cells().next().is_some_and(|(first, ..)| first.dimension() != cell_type.dimension()) {
-                    return Err(Fault::new(keyword.line, "there are elements of the plane beside such of space"));
+                    return Err(Fault::new(keyword.line, "there are 2D and 3D elements"));
                 }
                 let other = open.elements.iter().find(|rows| is_ring(&rows.kind) != is_ring(kind));
                 if let Some(other) = other.filter(|_| cell_type.dimension() == 2) {
                     let message =
-                        format!("elements of type {kind} beside {}: bodies of revolution and of the plane", other.kind);
+                        format!("elements of type {kind} together with {}: axisymmetric and plane bodies", other.kind);
                     return Err(Fault::new(keyword.line, message));
                 }
                 if is_variant && !open.variants.iter().any(|(known, _)| known.eq_ignore_ascii_case(kind)) {

@@ -74,7 +74,7 @@ impl Interaction {
             return Err(Fault::new(line, "the coefficient of *FRICTION may not depend on anything"));
         }
         if found.get(1).copied().flatten().is_some_and(|slope| slope != 0.0) {
-            notes.push(Note::new(line, "the stick slope of *FRICTION is that of the contact stiffness"));
+            notes.push(Note::new(line, "the stick slope of *FRICTION is taken from the contact stiffness"));
         }
         if keyword.value("SLIP TOLERANCE").is_some() {
             notes.push(Note::new(keyword.line, "*FRICTION sticks without a SLIP TOLERANCE"));

@@ -6,7 +6,7 @@ const OF_SOLVERS: [&str; 4] = ["CONTROLS", "CONTACT CONTROLS", "SOLUTION TECHNIQ
 /// What is said of a keyword that changes no result; none if it is not one.
 pub(super) fn unused(name: &str) -> Option<&'static str> {
     match name {
-        "TIME POINTS" => Some("results are those of the ends of steps"),
+        "TIME POINTS" => Some("results are written at the ends of steps"),
         _ if OF_SOLVERS.contains(&name) => Some("the search uses none of its numbers"),
         _ if REQUESTS.contains(&name) => Some("files and tables do not depend on it"),
         _ => None,

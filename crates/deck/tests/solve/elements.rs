@@ -70,7 +70,7 @@ fn thin_plates_share_a_force() {
     near(pressure.reaction[0], -8.0 * 0.5);
     assert!(largest_off(&outcome.stresses, [8.0, 0.0, 0.0, 0.0, 0.0, 0.0]) < 1e-9);
     let two = good.replace("*COUPLING", "*SOLID SECTION, ELSET=E, MATERIAL=M\n0.25\n*COUPLING");
-    assert!(said(&two, "two.inp").contains("known is one thickness of all bodies"), "{}", said(&two, "two.inp"));
+    assert!(said(&two, "two.inp").contains("all bodies must have one thickness"), "{}", said(&two, "two.inp"));
     assert!(said(&good.replace("\n0.5\n", "\n-0.5\n"), "below.inp").contains("a thickness above 0"));
     let solid = block("BAR", 1, [1, 1, 1], [[0.0; 3], [1.0; 3]])
         + &elastic(&["BAR"], 1.0, 0.0)
@@ -96,7 +96,7 @@ fn what_plates_and_wedges_cannot_be_is_refused() {
                   *ELEMENT, TYPE=CPE4, ELSET=E\n2, 2, 5, 6, 3\n*MATERIAL, NAME=M\n*ELASTIC\n1., 0.\n\
                   *SOLID SECTION, ELSET=E, MATERIAL=M\n*STEP\n*STATIC\n*END STEP\n";
     let message = said(square, "both.inp");
-    assert!(message.contains("elements of plane strain beside such of plane stress"), "{message}");
+    assert!(message.contains("elements of plane strain together with elements of plane stress"), "{message}");
     let wedges = block_with_wedges("BAR", 1, [1, 1, 1], [[0.0; 3], [1.0; 3]], 1) + &elastic(&["BAR"], 1.0, 0.0);
     let loaded = |face: &str| format!("{wedges}*STEP\n*STATIC\n*DLOAD\nBAR, {face}, 1.\n*END STEP\n");
     assert_eq!(said_in::<3>(&loaded("P2"), "wedge.inp"), "nothing");

@@ -183,7 +183,7 @@ fn what_rings_cannot_be_is_refused() {
         (
             "*STEP\n",
             "*ELEMENT, TYPE=CPE3, ELSET=FLAT\n900, 1, 2, 11\n*STEP\n",
-            "elements of type CPE3 beside CAX8: bodies of revolution and of the plane",
+            "elements of type CPE3 together with CAX8: axisymmetric and plane bodies",
         ),
         (
             "*STEP\n",

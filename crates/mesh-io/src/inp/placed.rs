@@ -82,8 +82,8 @@ fn take(mesh: &mut Mesh, piece: &Piece, highest: usize) -> Result<()> {
             if cell.is_shell {
                 let line = part.line(place);
                 bail!(
-                    "line {line}: element {label} is a shell beside solids, which is not supported: a tool or a body needs an \
-                     inside, of solid elements"
+                    "line {line}: element {label} is a shell in a mesh with solids, which is not supported: a tool or \
+                     a body needs an inside, of solid elements"
                 );
             }
             continue;

@@ -22,7 +22,7 @@ pub unsafe extern "C" fn fmc_context_set_options(context: *mut fmc_context, opti
             write(context, |state| {
                 let options = reference("options", options)?;
                 if options.weld.to_bits() != state.options.weld.to_bits() {
-                    let text = "option 'weld' is that of the mesh: it cannot change, make another context";
+                    let text = "option 'weld' belongs to the mesh and cannot change: make another context";
                     return Err(Failure::new(FMC_ERROR_OPTIONS_CONFLICT, text));
                 }
                 in_either!(&mut state.session, one => one.set_options(options.to_options()?))?;

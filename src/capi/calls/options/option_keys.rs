@@ -20,7 +20,7 @@ const KEYS: &str = "stiffness, exponent, spacing, fiber_length, fiber_count, see
                     memoryless_slip, static_coefficient, weakening_slip, weld, threads, index_base";
 
 fn unknown_value(key: &str, value: &str, wanted: &str) -> Failure {
-    Failure::new(FMC_ERROR_BAD_VALUE, format!("option '{key}' has no value '{value}': {wanted} is wanted"))
+    Failure::new(FMC_ERROR_BAD_VALUE, format!("option '{key}' has no value '{value}': expected {wanted}"))
 }
 
 fn choice(choice: &Choice, value: &str) -> Result<i32, Failure> {

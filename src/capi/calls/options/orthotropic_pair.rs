@@ -67,7 +67,7 @@ impl fmc_orthotropic_friction {
             0 => false,
             1 => true,
             other => {
-                let text = format!("option 'direction_of' has no value {other}: 0 or 1 is wanted");
+                let text = format!("option 'direction_of' has no value {other}: expected 0 or 1");
                 return Err(Failure::new(FMC_ERROR_BAD_VALUE, text));
             }
         };

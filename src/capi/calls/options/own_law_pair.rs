@@ -137,7 +137,7 @@ pub unsafe extern "C" fn fmc_context_set_law_pair(
                 let partners = named([(a_kind, a), (b_kind, b)])?;
                 let options = reference("options", options)?.to_pair_options()?;
                 if !matches!(options.interface, Interface::Law { .. }) {
-                    let text = "a law of your own belongs to the interface 'law'";
+                    let text = "your own law belongs to the interface 'law'";
                     return Err(Failure::new(FMC_ERROR_OPTIONS_CONFLICT, text));
                 }
                 let law = Arc::new(reference("law", law)?.to_law()?);

@@ -51,7 +51,7 @@ pub(crate) fn run(args: &MeshArgs) -> Result<()> {
     }
 }
 
-/// What the file holds.
+/// Contents of the file.
 fn described<const D: usize>(document: &Document, case: &Case) -> Result<Value> {
     let problem = case.problem::<D>(&document.folder, 1)?;
     let model = &problem.model;

@@ -31,7 +31,7 @@ pub(crate) struct ReportArgs {
     #[arg(long)]
     quick: bool,
 
-    /// Longest time of one run, after which it is left out of the page [s; default: 45 with --quick, else none]
+    /// Longest time of one run; a longer run is left out of the page [s; default: 45 with --quick, else none]
     #[arg(long, value_name = "SECONDS", value_parser = value_parser!(u64).range(1..))]
     limit: Option<u64>,
 
@@ -47,7 +47,7 @@ pub(crate) struct ReportArgs {
 /// Longest run of the quick size, s.
 const QUICK_LIMIT: u64 = 45;
 
-/// Runs what is missing and writes the page.
+/// Runs missing cases and writes the page.
 pub(crate) fn run(args: &ReportArgs) -> Result<ExitCode> {
     let stop = interrupt::flag()?;
     let plan = Plan::built_in()?;
@@ -112,7 +112,7 @@ fn records(examples: &[Example], folder: &Path, setting: &Setting) -> Result<Opt
     Ok(Some(records))
 }
 
-/// Whether a record may stand on the page; if not, says why.
+/// Whether a record may be shown on the page; if not, the reason.
 fn up_to_date(record: &Record, stamp: &Stamp, setting: &Setting, line: &dyn Fn(String)) -> bool {
     let granted = setting.limit.map_or(u64::MAX, |limit| limit.as_secs());
     let why = match record {

@@ -38,12 +38,12 @@ pub(crate) struct RunArgs {
     #[arg(long, conflicts_with_all = ["variant", "law", "out", "resume"])]
     all_variants: bool,
 
-    /// How overlap is measured [default: as the case says]
+    /// How overlap is measured [default: as in the case]
     #[arg(long, value_enum)]
     estimator: Option<EstimatorKind>,
 
-    /// Energy law [default: as the case says]; another one comes with the stiffness of the case's variant of that name,
-    /// or with one given by --override contact.stiffness=…
+    /// Energy law [default: as in the case]; another law takes the stiffness of the case's variant of that name, or the
+    /// one given by --override contact.stiffness=…
     #[arg(long, value_enum)]
     law: Option<LawChoice>,
 
@@ -55,7 +55,7 @@ pub(crate) struct RunArgs {
     #[arg(long, value_name = "T", default_value_t = 1, value_parser = value_parser!(u16).range(1..))]
     threads: u16,
 
-    /// Time at which to end [s; default: as the case says]
+    /// Time at which to end [s; default: as in the case]
     #[arg(long, value_name = "TIME", value_parser = positive)]
     end: Option<f64>,
 
@@ -164,7 +164,7 @@ pub(crate) fn run(args: &RunArgs) -> Result<ExitCode> {
     Ok(ExitCode::from(status))
 }
 
-/// What a run leaves for the report.
+/// Results of a run for the report.
 enum Outcome {
     Finished(Box<Summary>),
     Interrupted,
@@ -218,14 +218,14 @@ fn run_one(args: &RunArgs, document: &Document, stop: &AtomicBool) -> Result<Out
     report(args, &case.title, &out, ending.with_context(|| name)?)
 }
 
-/// Says how a run ended.
+/// Prints how a run ended.
 fn report(args: &RunArgs, title: &str, out: &std::path::Path, ending: Ending) -> Result<Outcome> {
     match ending {
         Ending::Interrupted { step, time } => {
             if !args.quiet {
                 eprintln!(
-                    "interrupted after step {step}, at {time:.4e} s; what was computed is in {0}\n\
-                     Run the same command with --resume to continue.",
+                    "interrupted after step {step}, at {time:.4e} s; results so far are in {0}\nRun the same command \
+                     with --resume to continue.",
                     out.display()
                 );
             }
@@ -233,7 +233,7 @@ fn report(args: &RunArgs, title: &str, out: &std::path::Path, ending: Ending) ->
         }
         Ending::FinishedBefore(summary) => {
             if !args.quiet {
-                eprintln!("this run is at its end already; nothing is left to do");
+                eprintln!("this run is complete already");
             }
             print(args, title, out, &summary)?;
             Ok(Outcome::Finished(summary))
@@ -245,7 +245,7 @@ fn report(args: &RunArgs, title: &str, out: &std::path::Path, ending: Ending) ->
     }
 }
 
-/// What a progress bar says beside its steps.
+/// Text of a progress bar next to its steps.
 fn message(progress: &Progress, dimension: usize) -> String {
     let Progress { time, energies: [kinetic, strain, contact, total], force, steps_per_second, .. } = progress;
     let (joule, newton) = if dimension == 2 { ("J/m", "N/m") } else { ("J", "N") };

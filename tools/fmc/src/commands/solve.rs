@@ -16,8 +16,8 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Solve an input file of Abaqus or CalculiX: bodies at rest, in contact, tied, with friction
 ///
-/// Every step leaves a VTU file for ParaView and its place in an FRD file for cgx; those of a run before are removed. What the file has and
-/// is not known is named with its line. Ctrl-C stops it; steps that were solved stay.
+/// Every step writes a VTU file for ParaView and a block of an FRD file for cgx; files of an earlier run are removed. Unsupported parts of
+/// the file are named with their line. Ctrl-C stops it; steps that were solved stay.
 #[derive(clap::Args, Clone, Debug)]
 #[command(after_help = "Examples:\n  \
     fmc solve model.inp\n  \

@@ -30,8 +30,8 @@ enum Study {
 /// Prints energy drift, impulse, balance of the forces, rebound, sideways velocity and cost; writes tables and a picture
 /// of the total energy.
 #[derive(Args, Clone, Debug)]
-#[command(after_help = "Example:\n  fmc study impact --quick\n\nExit status: 0, also if a method fails on the way, \
-    which the table says; 2 for bad usage or input.")]
+#[command(after_help = "Example:\n  fmc study impact --quick\n\nExit status: 0, also if a method fails on the way \
+    (see the table); 2 for bad usage or input.")]
 struct ImpactArgs {
     /// Name of a case (see fmc list), or path of a case file; an impact in 2D with w = k V
     #[arg(long, default_value = "star")]
@@ -49,7 +49,7 @@ struct ImpactArgs {
     #[arg(long, value_name = "H", default_value_t = 2e-5, value_parser = positive)]
     spacing: f64,
 
-    /// Evaluations of the contact in every step; 1 is the paper's scheme [default: as the case says]
+    /// Evaluations of the contact in every step; 1 is the paper's scheme [default: as in the case]
     #[arg(long, value_name = "N", value_parser = value_parser!(u32).range(1..))]
     contact_substeps: Option<u32>,
 
@@ -70,7 +70,7 @@ struct ImpactArgs {
     out: PathBuf,
 }
 
-/// Newton's method on the fiber law beside the paper's fixed-point loop (Algorithm 2), on one equilibrium
+/// Newton's method on the fiber law compared with the paper's fixed-point loop (Algorithm 2), on one equilibrium
 ///
 /// The loop runs with w = k V, w = k V² and the fiber law, exactly and on lines. It has no contact stiffness and cannot
 /// hold a body by contact alone: the loaded nodes are held where Newton's method has led them.
@@ -84,7 +84,7 @@ struct NewtonArgs {
     #[arg(long, value_name = "N", default_value_t = 300, value_parser = value_parser!(u32).range(1..))]
     iterations: u32,
 
-    /// Part of a step of the loop that is made; 1 is the paper's algorithm as printed; may be repeated
+    /// Relaxation factor of a step of the loop; 1 is the paper's algorithm as printed; may be repeated
     #[arg(long, value_name = "R", value_parser = positive, default_values_t = [1.0, 0.1])]
     relaxation: Vec<f64>,
 
@@ -149,7 +149,7 @@ fn case(name: &str, overrides: &[String]) -> Result<(Case, PathBuf)> {
     Ok((document.case()?, document.folder))
 }
 
-/// Says what runs, and how long the rest of `count` solutions will take, on a terminal.
+/// Prints the running method, and the time for the rest of `count` solutions, on a terminal.
 fn solutions_bar(count: usize) -> Result<ProgressBar> {
     let style = ProgressStyle::with_template("{spinner} {pos}/{len} {msg} {elapsed}, {eta} left")?;
     let bar = ProgressBar::new(count as u64).with_style(style);

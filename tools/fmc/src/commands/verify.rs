@@ -64,7 +64,7 @@ pub(crate) struct VerifyArgs {
 }
 
 impl VerifyArgs {
-    /// What `--estimator` and `--pattern` leave of isotropic, lines and exact.
+    /// Which of isotropic, lines and exact `--estimator` and `--pattern` select.
     fn methods(&self) -> Result<Vec<Method>> {
         let exact = self.estimator == Some(EstimatorKind::Exact);
         ensure!(!exact || self.pattern.is_none(), "--pattern has no effect with --estimator exact");

@@ -9,7 +9,7 @@ use fmc_contact::Surface;
 use fmc_mesh_io::{Kind, Mesh};
 use std::collections::BTreeMap;
 
-/// What a body is.
+/// Definition of a body.
 #[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum DivideBy {
     /// Each file is a body
@@ -25,7 +25,7 @@ pub(super) enum DivideBy {
 }
 
 impl DivideBy {
-    /// What a body is where nobody says it: what the files call parts, else each file, or what hangs together in a single one.
+    /// Default definition of a body: parts of the files, else each file, or each connected component of a single one.
     pub(super) fn default_of(meshes: &[Mesh]) -> Self {
         match meshes {
             _ if meshes.iter().any(|mesh| !mesh.instances.is_empty()) => Self::Instance,

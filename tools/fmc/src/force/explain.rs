@@ -71,10 +71,11 @@ pub(super) fn explain<const D: usize>(error: &Error, assembly: &Assembly<D>, nam
         }
         Error::RepeatedCell { cells } => {
             let [(place, a), (_, b)] = cells.map(cell);
-            format!("{place}: cells {a} and {b} have the same nodes: one of them is there twice, leave it out")
+            format!("{place}: cells {a} and {b} have the same nodes: one of them is a duplicate, remove it")
         }
         Error::InconsistentOrientation { facet, nodes } => format!(
-            "{}: cell {} and its neighbour at {} disagree about which side is out: turn the order of nodes of one of them",
+            "{}: cell {} and its neighbour at {} have opposite orientations: reverse the order of nodes of one of \
+             them",
             cell(*facet).0,
             cell(*facet).1,
             between(nodes)
@@ -83,14 +84,14 @@ pub(super) fn explain<const D: usize>(error: &Error, assembly: &Assembly<D>, nam
             let [(file, a), (other, b)] = cells.map(cell);
             let there = if other == file { String::new() } else { format!(" of {other}") };
             format!(
-                "{file}: cell {a} and cell {b}{there} do not fit: an edge has a node in its middle in one of them and none, or \
-                 another, in the other"
+                "{file}: cell {a} and cell {b}{there} do not conform: an edge has a node in its middle in only one of \
+                 them, or they have different nodes there"
             )
         }
         Error::InvertedSurface { body } => {
             let name = usize::try_from(*body).ok().and_then(|body| names.get(body));
             let name = name.unwrap_or(&assembly.meshes[0].file);
-            format!("{name}: its facets point inwards; turn their orientation around")
+            format!("{name}: its facets point inwards; reverse their orientation")
         }
         other => other.to_string(),
     };

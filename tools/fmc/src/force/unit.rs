@@ -2,7 +2,7 @@
 
 use clap::ValueEnum;
 
-/// What one stands for in the coordinates.
+/// Unit of length of the coordinates.
 #[derive(ValueEnum, Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) enum Unit {
     /// Metres
@@ -26,7 +26,7 @@ pub(super) struct Units {
     pub(super) force: String,
     pub(super) moment: String,
     pub(super) energy: String,
-    /// What the numbers mean, as a sentence.
+    /// Meaning of the numbers, as a sentence.
     pub(super) in_words: String,
 }
 

@@ -89,7 +89,7 @@ fn a_folder_has_one_run() {
     let again = fmc(&[&arguments[..], &["--resume"]].concat());
     let said = String::from_utf8_lossy(&again.stderr);
     assert_eq!(again.status.code(), first.status.code(), "{said}");
-    assert!(said.contains("at its end already"), "{said}");
+    assert!(said.contains("complete already"), "{said}");
     let figures = |run: &Output| {
         let text = String::from_utf8_lossy(&run.stdout).into_owned();
         text.lines().filter(|line| line.starts_with('|')).map(str::to_owned).collect::<Vec<_>>()

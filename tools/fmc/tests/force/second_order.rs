@@ -93,7 +93,7 @@ fn what_does_not_fit_is_refused_in_the_numbers_of_the_file() {
         let right = |y: f64| square.coords.iter().position(|x| *x == [1.0, y]).unwrap() as u64;
         writer.cell(VtkCell::Mesh(CellType::Quad4), [right(0.0), p, q, right(1.0)]);
     });
-    assert!(beside.contains("cell 0 and cell 1 do not fit"), "{beside}");
+    assert!(beside.contains("cell 0 and cell 1 do not conform"), "{beside}");
     let open = refused("second_order_in_space", &|writer| {
         let points: Vec<u64> = square.coords.iter().map(|[x, y]| writer.point([*x, *y, x * y])).collect();
         writer.cell(VtkCell::Mesh(CellType::Quad8), points);
@@ -108,7 +108,7 @@ fn what_does_not_fit_is_refused_in_the_numbers_of_the_file() {
             writer.cell(VtkCell::Mesh(cell_type), nodes.iter().map(|&node| points[node as usize]));
         }
     });
-    assert!(mixed.contains("do not fit") && mixed.contains("cell 5"), "{mixed}");
+    assert!(mixed.contains("do not conform") && mixed.contains("cell 5"), "{mixed}");
 }
 
 /// Bodies given by their skins, in a VTU file, have the volume, forces and pressures that their cells have.

@@ -164,7 +164,7 @@ pub(crate) struct Mover<const D: usize> {
 
 impl<const D: usize> std::fmt::Display for Mover<D> {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(f, "body {}{}", self.id, if self.is_tied { " with what is tied to it" } else { "" })?;
+        write!(f, "body {}{}", self.id, if self.is_tied { " with the bodies tied to it" } else { "" })?;
         if self.is_rotation {
             return f.write_str(" in rotation");
         }

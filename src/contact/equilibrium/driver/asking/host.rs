@@ -114,6 +114,6 @@ fn finite(what: &str, vector: Vec<f64>) -> Result<Vec<f64>, Trouble> {
 fn refused(answer: Answer) -> Trouble {
     Trouble::Host(match answer {
         Answer::Refused(why) => why,
-        _ => "an answer of another kind than was asked for".into(),
+        _ => "an answer of another kind than requested".into(),
     })
 }

@@ -74,7 +74,7 @@ impl Refusal {
 
     /// Of a search that its host gives up.
     pub(crate) fn abandoned() -> Self {
-        let text = "the host has given the search up".to_owned();
+        let text = "the host has abandoned the search".to_owned();
         Self { text, unheld: None, error: None, residuals: Vec::new(), solves: 0 }
     }
 }

@@ -138,8 +138,9 @@ impl Updates {
             _ => String::new(),
         };
         Some(format!(
-            "after {count} updates of the multipliers another would still change the answer; surfaces penetrate, or what is tied has moved \
-             apart, by {left:.1e}{of_displacement}: ask for a penetration, take smaller load steps, or allow more updates"
+            "after {count} updates of the multipliers another one would still change the result; surfaces penetrate, \
+             or tied surfaces have moved apart, by {left:.1e}{of_displacement}: set a penetration, take smaller load \
+             steps, or allow more updates"
         ))
     }
 
@@ -193,7 +194,7 @@ impl Updates {
             Some(wanted) if !may => {
                 let left = update.penetration.max(update.change);
                 Err(Trouble::Failed(format!(
-                    "a penetration of {left:.1e} after {count} updates, {wanted:.1e} is wanted"
+                    "a penetration of {left:.1e} after {count} updates, expected {wanted:.1e}"
                 )))
             }
             None if !may => Ok(false),

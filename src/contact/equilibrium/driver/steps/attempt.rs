@@ -16,7 +16,8 @@ use crate::contact::equilibrium::driver::ways::stuck::stuck;
 use crate::contact::equilibrium::driver::ways::unloaded::apart;
 
 /// What is said where the slip of the way would hold no body.
-const COUNTED_ANEW: &str = "the bodies come to rest with slip counted from where they came to rest, but not with that from where the step began";
+const COUNTED_ANEW: &str = "the bodies come to rest with slip counted from their position of rest, but not with slip \
+    counted from the start of the step";
 
 /// Where a load step begins, and what it moves.
 pub(crate) struct LoadStep<const D: usize> {

@@ -116,9 +116,11 @@ async fn derivative<const D: usize>(host: &Host<D>, assembly: &Assembly<D>, x: &
         () if norm(&change) == 0.0 => "residual: WRONG: it does not depend on the unknowns".to_owned(),
         () if right < RIGHT => format!("matrix: it is the derivative of the residual, to {right:.1e}"),
         () if turned < WRONG => {
-            "matrix: WRONG: it is minus the derivative of the residual; the residual is internal less external forces".to_owned()
+            "matrix: WRONG: it is minus the derivative of the residual; the residual is internal minus external \
+             forces".to_owned()
         }
-        () if right < WRONG => format!("matrix: it is the derivative of the residual to {right:.1e}, which makes steps slow"),
+        () if right < WRONG => format!("matrix: it is the derivative of the residual to {right:.1e}, which slows \
+            convergence"),
         () => {
             let part = dot(&change, &product) / dot(&product, &product).max(f64::MIN_POSITIVE);
             format!(
@@ -130,7 +132,7 @@ async fn derivative<const D: usize>(host: &Host<D>, assembly: &Assembly<D>, x: &
     let energy = dot(&d, &product);
     if energy < 0.0 {
         said.push(
-            "sign: WRONG: the matrix pushes along a displacement, not against it: give internal less external forces"
+            "sign: WRONG: the matrix pushes along a displacement, not against it: give internal minus external forces"
                 .into(),
         );
     }

@@ -112,8 +112,8 @@ async fn doubtful<const D: usize>(search: &Search<D>, reached: &Reached<D>) -> V
         let (deep, facet) = (pair.penetration, facet(pair.a).max(facet(pair.b)));
         (deep > DOUBTFUL * facet).then(|| {
             format!(
-                "{} and {} penetrate by {deep:.1e}, {:.0} % of a facet: a corner may have come through what it stands on; take smaller load \
-                 steps, or refine there",
+                "{} and {} penetrate by {deep:.1e}, {:.0} % of a facet: a corner may have passed through the other \
+                 surface; take smaller load steps, or refine there",
                 assembly.name(pair.a),
                 assembly.name(pair.b),
                 100.0 * deep / facet
@@ -153,7 +153,7 @@ async fn led<const D: usize>(
 fn not_reached<const D: usize>(search: &Search<D>, counts: &Counts) -> Trouble {
     let solves = search.host.solves();
     let why = counts.trouble.as_ref().map_or_else(String::new, |trouble| format!(": {trouble}"));
-    Trouble::Failed(format!("what is prescribed was not reached after {solves} linear solves{why}"))
+    Trouble::Failed(format!("the prescribed values were not reached after {solves} linear solves{why}"))
 }
 
 /// Moves what is prescribed, and the bodies with it as their tangent says, as far as nothing passes through anything: which part.
@@ -183,7 +183,7 @@ async fn carried<const D: usize>(
         part = 1.0;
     }
     if part <= 0.0 {
-        return Err(Trouble::Failed("no part of what is prescribed can be moved: bodies overlap too far".into()));
+        return Err(Trouble::Failed("no part of the prescribed motion is possible: bodies overlap too far".into()));
     }
     for _ in 0..HALVINGS {
         let next = moved(&state.x, part, &step);
@@ -199,7 +199,7 @@ async fn carried<const D: usize>(
         }
     }
     let why = counts.trouble.as_deref().unwrap_or_default();
-    Err(Trouble::Failed(format!("bodies cannot be evaluated after any part of what is prescribed: {why}")))
+    Err(Trouble::Failed(format!("bodies cannot be evaluated after any part of the prescribed motion: {why}")))
 }
 
 /// Whether the end of a step for which the contact was solved is an equilibrium in which bodies hardly overlap: gaps, linearised where the step

@@ -138,7 +138,7 @@ async fn direction<const D: usize>(
             break;
         }
     }
-    found.ok_or_else(|| Trouble::Hopeless(format!("{why}: is every body held?")))
+    found.ok_or_else(|| Trouble::Hopeless(format!("{why}: is every body supported?")))
 }
 
 /// Where a step has led, and the part of the residual that is left.
