@@ -52,7 +52,7 @@ fn every_struct_that_may_grow_gets_its_size_from_the_library() {
             header.split(&format!("}} {};", one.name)).next().and_then(|code| code.rsplit("typedef struct {").next());
         let comment = code.expect("its fields").lines().find(|line| line.contains("//")).expect("a comment").trim();
         let expected = match has_init {
-            true => format!("// Set by `{init}`, so that a struct that was not initialised is recognised."),
+            true => format!("// Set by `{init}`, so that the library recognises an uninitialised struct."),
             false => "// Size of this struct, as the library wrote it.".into(),
         };
         assert_eq!(comment, expected, "{}", one.name);

@@ -88,7 +88,7 @@ fn what_a_pair_with_a_law_cannot_have_is_refused_and_changes_nothing() {
             "friction of bodies with an interface by your own law",
         ),
         (PairOptions { law: Some(EnergyLaw::depth(1.0)), ..options() }, "a law of contact together with"),
-        (PairOptions { excluded: true, ..options() }, "both left out and has an interface by your own law"),
+        (PairOptions { excluded: true, ..options() }, "both excluded and has an interface by your own law"),
         (PairOptions { interface: Interface::Law { reach: -1.0 }, ..options() }, "reach"),
     ];
     for (options, text) in refused {

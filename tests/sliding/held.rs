@@ -117,7 +117,7 @@ fn what_cannot_be_is_refused_and_changes_nothing() {
         ([Body(0), Rigid(0)], plain, "does not separate from an obstacle"),
         ([Body(0), Body(0)], plain, "does not separate from itself"),
         ([Body(0), Body(1)], PairOptions { gap_offset: -0.1, ..plain }, "gap offset"),
-        ([Body(0), Body(1)], PairOptions { excluded: true, ..plain }, "both left out and does not separate"),
+        ([Body(0), Body(1)], PairOptions { excluded: true, ..plain }, "both excluded and does not separate"),
         ([Body(0), Body(1)], PairOptions { friction_coefficient: Some(0.3), ..plain }, "they slide freely"),
         ([Body(0), Body(1)], PairOptions { law: Some(EnergyLaw::volume(K)), ..plain }, "law volume"),
     ] {

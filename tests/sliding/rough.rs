@@ -94,7 +94,7 @@ fn what_would_have_no_effect_is_refused() {
     let plain = PairOptions::rough();
     for (options, named) in [
         (PairOptions { friction_coefficient: Some(0.3), ..plain }, "never slides"),
-        (PairOptions { excluded: true, ..plain }, "left out and rough"),
+        (PairOptions { excluded: true, ..plain }, "excluded and rough"),
         (PairOptions::with_friction(-1.0), "friction_coefficient"),
         (PairOptions::with_friction(f64::NAN), "friction_coefficient"),
         (PairOptions::with_friction(f64::NEG_INFINITY), "friction_coefficient"),

@@ -94,7 +94,7 @@ def test_it_is_the_derivative_with_closed_gaps_whatever_the_search_left(dim, fri
     assert slope == pytest.approx(differences(value), rel=WITHIN[friction])
     # Differences of what the search leaves are others, beyond the errors of these, and that is told.
     left = abs(slope - differences(lambda by: scene.value(scene.solved(by).x)))
-    told = any("differences of J as the search leaves it are others" in text for text in got.warnings)
+    told = any("differs from differences of J with the gaps of the search" in text for text in got.warnings)
     assert left > 4 * WITHIN[friction] * abs(slope) and (told or left < 1e-2 * np.linalg.norm(got.prescribed))
 
 

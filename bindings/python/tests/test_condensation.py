@@ -97,5 +97,5 @@ def test_a_solver_serves_until_the_next_matrix():
     first, _ = by(membrane(4), rest, kept)
     assert np.allclose(first(np.ones((15, 2))), first(np.ones(15))[:, None])
     by(membrane(4, 2.0), rest, kept)
-    with pytest.raises(RuntimeError, match="given way"):
+    with pytest.raises(RuntimeError, match="were replaced"):
         first(np.ones(15))

@@ -236,7 +236,7 @@ def test_a_contact_whose_coordinates_are_not_unknowns_is_refused(column):
 
     for adapter in (Half(), Mean()):
         for two_level in (True, False, None):
-            with pytest.raises(ValueError, match="moved by one unknown, by as much as that"):
+            with pytest.raises(ValueError, match="exactly one unknown has to move each coordinate"):
                 find_equilibrium(host, adapter, coords.ravel(), FREE, two_level=two_level)
 
 

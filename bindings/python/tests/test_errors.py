@@ -157,7 +157,7 @@ def test_what_the_package_itself_never_asks_for(squares):
     ]:
         with pytest.raises(error, match=text):
             check(call())
-    with pytest.raises(ctypes.ArgumentError, match="an array of dtype int32 or int64 without gaps is wanted, not of float64"):
+    with pytest.raises(ctypes.ArgumentError, match="expected a contiguous array of dtype int32 or int64, not of float64"):
         library.fmc_context_tangent_entries(pointer, np.zeros(3), None, None, 0, None)
 
 

@@ -191,7 +191,7 @@ def test_what_a_history_does_not_have_is_refused():
     assert [step for step, _ in history.forward(start)] == [0, 1, 2, 3]
     with pytest.raises(ValueError, match="a history has no derivative by 'reference', expected positions"):
         next(history.backward(blocks.seed, ["reference"]))
-    with pytest.raises(ValueError, match="states is 2, and an integer of at least 3"):
+    with pytest.raises(ValueError, match="states is 2, expected an integer of at least 3"):
         History(blocks.contact, history.solve, 4, 2)
     blocks.contact.set_options(static_coefficient=0.4, weakening_slip=0.1)
     again = History(blocks.contact, history.solve, 1)

@@ -76,7 +76,7 @@ def test_a_matrix_that_is_not_finite_is_named():
 
 @pytest.mark.parametrize(("name", "value"), [("max_iterations", 0), ("max_iterations", -1), ("max_iterations", 2.5), ("max_updates", -1)])
 def test_counts_are_named(name, value):
-    with pytest.raises(ValueError, match=f"{name} is {value}, and an integer of at least"):
+    with pytest.raises(ValueError, match=f"{name} is {value}, expected an integer of at least"):
         find_equilibrium(lambda x: (x.ravel() - COORDS.ravel(), np.eye(16)), Contact(COORDS, SQUARES, "quad"), COORDS, range(16), **{name: value})
 
 

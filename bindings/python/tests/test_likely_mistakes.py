@@ -74,8 +74,8 @@ def test_a_residual_in_columns_is_refused():
 
 
 LOADS = np.tile([3.0, -2.0], 8)
-TAKES_DISPLACEMENTS = r"the residual at the start is that of bodies stretched to twice their size, .*: the function takes displacements"
-TAKES_COORDINATES = r"the residual at the start is that of bodies without extent, .*: the function takes coordinates"
+TAKES_DISPLACEMENTS = r"the residual at the start is as for bodies stretched to twice their size, .*: the function takes displacements"
+TAKES_COORDINATES = r"the residual at the start is as for bodies without extent, .*: the function takes coordinates"
 
 
 # The first of linear bodies, the second of bodies that stiffen in any direction.

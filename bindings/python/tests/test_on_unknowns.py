@@ -101,11 +101,11 @@ def test_a_host_is_checked_in_its_own_order():
 @pytest.mark.parametrize(
     ("numbers", "size", "text"),
     [
-        (np.arange(16).reshape(2, 8), None, r"unknowns have the shape \(2, 8\), \(8, 2\) is wanted"),
-        (np.arange(16.0).reshape(8, 2), None, "unknowns have the type float64, integers are wanted"),
+        (np.arange(16).reshape(2, 8), None, r"unknowns have the shape \(2, 8\), expected \(8, 2\)"),
+        (np.arange(16.0).reshape(8, 2), None, "unknowns have the type float64, expected integers"),
         (np.arange(16).reshape(8, 2) % 15, None, r"unknowns\[7, 1\] is 0, which moves another coordinate too"),
         (np.arange(16).reshape(8, 2), 12, r"unknowns\[6, 0\] is 12, which is not below the size, 12"),
-        (np.arange(16).reshape(8, 2), 16.5, "the size is 16.5, an integer is wanted"),
+        (np.arange(16).reshape(8, 2), 16.5, "the size is 16.5, expected an integer"),
         (np.arange(16).reshape(8, 2) - 2, None, r"unknowns\[0, 0\] is -2, which is below -1"),
     ],
 )

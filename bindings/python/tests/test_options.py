@@ -77,9 +77,9 @@ def test_what_is_no_option_is_refused(squares):
     coords, conn = squares
     with pytest.raises(UnknownOptionError, match="no option 'stifness'; there are stiffness, "):
         contact_force(coords, conn, "quad", stiffness=K, stifness=2)
-    with pytest.raises(BadValueError, match="'estimator' has no value 'exakt': fibers or exact or auto is wanted"):
+    with pytest.raises(BadValueError, match="'estimator' has no value 'exakt': expected fibers or exact or auto"):
         contact_force(coords, conn, "quad", stiffness=K, estimator="exakt")
-    with pytest.raises(BadValueError, match="'fiber_count' has no value '10.5': a whole number is wanted"):
+    with pytest.raises(BadValueError, match="'fiber_count' has no value '10.5': expected a whole number"):
         contact_force(coords, conn, "quad", stiffness=K, fiber_count=10.5)
     with pytest.raises(TypeError, match="option 'spacing' is a list"):
         contact_force(coords, conn, "quad", stiffness=K, spacing=[0.1])

@@ -56,7 +56,7 @@ def test_what_is_refused_changes_nothing(contact: Contact) -> None:
         with pytest.raises(ValueError, match="there are 12 boundary facets"):
             contact.mesh.add_surface(marks)
     for wrong in (surface, (surface,), (surface, "left")):
-        with pytest.raises(TypeError, match="two numbers of add_surface are wanted"):
+        with pytest.raises(TypeError, match="expected two numbers of add_surface"):
             contact.pairs.set(0, 1, interface="tied", surfaces=wrong)
     with pytest.raises(ValueError, match="no such number"):
         contact.pairs.set(0, 1, interface="tied", surfaces=(surface, 2**32 + surface))

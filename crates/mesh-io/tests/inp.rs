@@ -163,7 +163,7 @@ fn what_is_wrong_is_named_with_its_line() {
         (format!("{PLANE}*ELEMENT,TYPE=R2D2\n9,1,2\n"), "line 11: elements of type R2D2 are rigid lines"),
         (
             "*NODE\n1,0,0\n2,1,0\n3,0,1\n4,0,0,1\n*ELEMENT,TYPE=R3D3\n8,1,2,3\n*ELEMENT,TYPE=C3D4\n9,1,2,3,4\n".into(),
-            "line 7: element 8 is a shell beside solids, which is not supported: a tool",
+            "line 7: element 8 is a shell in a mesh with solids, which is not supported: a tool",
         ),
     ] {
         let error = format!("{:#}", read("wrong", &text).expect_err(expected));

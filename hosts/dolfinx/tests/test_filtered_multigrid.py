@@ -63,7 +63,7 @@ def test_it_is_symmetric_and_positive(problem):
 
 
 def test_levels_of_the_bodies_are_those_of_gamg(problem):
-    with pytest.raises(ValueError, match="gamg, not of hypre"):
+    with pytest.raises(ValueError, match="gamg, not from hypre"):
         FilteredMultigrid(problem.u.function_space, lambda: problem.touched, problem.bodies, cycle="hypre")
 
 

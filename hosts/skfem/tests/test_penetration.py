@@ -59,5 +59,5 @@ def test_what_is_refused():
         find_equilibrium(*arguments, penetration=1e-6)
     with pytest.raises(ValueError, match="a positive one"):
         find_equilibrium(*pressed_disc(ElementTriP1()), penetration=0.0)
-    with pytest.raises(NotConvergedError, match="after 1 updates, 1.0e-9 is wanted"):
+    with pytest.raises(NotConvergedError, match="after 1 updates, expected 1.0e-9"):
         find_equilibrium(*pressed_disc(ElementTriP1()), penetration=1e-9, max_updates=1)

@@ -12,11 +12,11 @@ from skfem import Basis, ElementDG, ElementTriCR, ElementTriP1, ElementTriP2, El
 @pytest.mark.parametrize(
     "element, words",
     [
-        (ElementTriP1(), "a displacement is wanted"),
+        (ElementTriP1(), "expected a displacement"),
         (ElementVector(ElementTriCR()), "ElementTriCR"),
         (ElementVector(ElementDG(ElementTriP1())), "ElementDG"),
         (ElementVector(ElementTriP1(), 3), "3 components in 2D"),
-        (ElementTriP2(), "a displacement is wanted"),
+        (ElementTriP2(), "expected a displacement"),
     ],
 )
 def test_other_unknowns_are_refused(element, words):
@@ -41,10 +41,10 @@ def test_vectors_of_another_length_are_refused():
 @pytest.mark.parametrize(
     ("places", "words"),
     [
-        ((0, 0), r"bases\[0\] has the unknowns 0 to 7 and bases\[1\] 0 to 7: every basis has unknowns of its own"),
+        ((0, 0), r"bases\[0\] has the unknowns 0 to 7 and bases\[1\] 0 to 7: every basis has separate unknowns"),
         ((6, 13), r"bases\[0\] has the unknowns 6 to 13 and bases\[1\] 13 to 20"),
         ((7, 0), r"bases\[1\] has the unknowns 0 to 7 and bases\[0\] 7 to 14"),
-        ((-1, 8), r"the offset of bases\[0\] is -1, the number of its first unknown is wanted, from 0"),
+        ((-1, 8), r"the offset of bases\[0\] is -1, expected the number of its first unknown, from 0"),
         ((0, 8.0), r"the offset of bases\[1\] is 8.0"),
         ((0, True), r"the offset of bases\[1\] is True"),
         ((0, None), r"the offset of bases\[1\] is None"),
@@ -64,7 +64,7 @@ def test_bases_have_unknowns_of_their_own(places, words):
 
 def test_bases_without_their_places_are_refused_with_what_to_give():
     basis = Basis(MeshTri(), ElementVector(ElementTriP1()))
-    wanted = r"a pair of a basis and the place of its first unknown is wanted: \[\(first, 0\), \(second, first.N\)\]"
+    wanted = r"expected a pair of a basis and the place of its first unknown: \[\(first, 0\), \(second, first.N\)\]"
     for bases, words in (
         ([basis, basis], r"bases\[0\] is a basis alone, " + wanted),
         ((basis, 0), r"bases\[0\] is a basis alone, " + wanted),
@@ -72,7 +72,7 @@ def test_bases_without_their_places_are_refused_with_what_to_give():
         ([(basis, 0, 0)], r"bases\[0\] is a tuple of 3, " + wanted),
         ([(0, basis)], r"bases\[0\] is a pair that begins with a int, " + wanted),
         ([None], r"bases\[0\] is a NoneType, " + wanted),
-        (zip([basis], [0]), r"bases is a zip, a basis or a list of \(basis, offset\) is wanted"),
+        (zip([basis], [0]), r"bases is a zip, expected a basis or a list of \(basis, offset\)"),
     ):
         with pytest.raises(LayoutError, match=words):
             SkfemContact(bases, stiffness=1.0)
@@ -89,7 +89,7 @@ def test_bases_of_the_plane_and_of_space_are_refused_together():
 
 @pytest.mark.parametrize("size", [9.0, "9", True])
 def test_a_size_that_is_no_integer_is_refused(size):
-    with pytest.raises(ValueError, match=f"the size is {size!r}, an integer is wanted"):
+    with pytest.raises(ValueError, match=f"the size is {size!r}, expected an integer"):
         SkfemContact(Basis(MeshTri(), ElementVector(ElementTriP1())), size=size)
 
 

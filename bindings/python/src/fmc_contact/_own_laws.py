@@ -19,7 +19,7 @@ def history_count(history: int, carrier: str) -> int:
     """How many numbers each carrier keeps, checked."""
     count = integer(history)
     if count is None:
-        raise TypeError(f"history is {history!r}, expected how many numbers a {carrier} keeps")
+        raise TypeError(f"history is {history!r}, expected the number of values that a {carrier} keeps")
     if count < 0:
         raise ValueError(f"history is {count}, expected at least 0")
     return count

@@ -19,7 +19,7 @@ class _Array(c_void_p):
         if array is None:
             return None
         if array.dtype != cls.dtype or not array.flags.c_contiguous:
-            raise TypeError(f"an array of dtype {cls.dtype} without gaps is wanted, not of {array.dtype}")
+            raise TypeError(f"expected a contiguous array of dtype {cls.dtype}, not of {array.dtype}")
         return c_void_p(array.ctypes.data)
 
 
@@ -32,7 +32,7 @@ class IndexArray(c_void_p):
         if array is None:
             return None
         if array.dtype not in (np.int32, np.int64) or not array.flags.c_contiguous:
-            raise TypeError(f"an array of dtype int32 or int64 without gaps is wanted, not of {array.dtype}")
+            raise TypeError(f"expected a contiguous array of dtype int32 or int64, not of {array.dtype}")
         return c_void_p(array.ctypes.data)
 
 

@@ -33,7 +33,7 @@ class Cholesky:
     def solved(self, number: int, right: np.ndarray, kept: np.ndarray) -> np.ndarray:
         """Solution with the factors of this number."""
         if number != self._count:
-            raise RuntimeError("these factors have given way to those of another matrix")
+            raise RuntimeError("these factors were replaced by the factors of another matrix")
         return self._condensation.expand(right, kept)
 
 

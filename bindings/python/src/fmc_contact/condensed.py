@@ -42,7 +42,7 @@ class Unknowns:
             # A node may have none and stay. With a basis the first rows are no nodes: what they would be condensed to is not known.
             is_whole = len(freedom) == count or self.inner.unknown_count == self.inner.node_count
             if not (is_whole and np.array_equal(alone[reached], np.ones(len(freedom))) and len(np.unique(freedom)) == len(freedom)):
-                raise ValueError("two levels need a contact of which every degree of freedom is moved by one unknown, alone")
+                raise ValueError("two levels need a contact whose degrees of freedom are each moved by exactly one unknown")
             self.of_freedom = np.full(count, -1)
             self.of_freedom[freedom] = reached
         if (count and int(self.of_freedom.max()) >= size) or (contact is self.inner and count != size):

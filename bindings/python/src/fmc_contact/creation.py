@@ -61,8 +61,8 @@ def _body_ids(bodies: ArrayLike | None, count: int, what: str) -> list[np.ndarra
 def _check_plane(flat: bool) -> None:
     if not flat:
         raise ValueError(
-            "coords vary in z, but these cells are those of a plane: a surface in 3D goes in by Contact.from_facets, "
-            "and a plane mesh with its z left out, coords[:, :2]"
+            "coords vary in z, but these cells are plane: pass a surface in 3D to Contact.from_facets, "
+            "and a plane mesh without its z, coords[:, :2]"
         )
 
 

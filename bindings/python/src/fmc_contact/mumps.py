@@ -78,7 +78,7 @@ class _Factors:
         self._call("MatFactorGetError", self._factors, byref(failed))
         self._call("MatMumpsGetInfog", self._factors, c_int(_NULL_PIVOTS), byref(lost))
         if failed.value or lost.value:
-            raise RuntimeError("the stiffness of what feels no contact is singular")
+            raise RuntimeError("the stiffness of the part that feels no contact is singular")
         self._call("MatMumpsSetIcntl", self._factors, c_int(_SOLVED_WITH), c_int(0))
         self._right, self._found = self._matrix.createVecs()
 

@@ -56,16 +56,16 @@ class OnUnknowns:
         self.contact, self._undeformed = contact, floats(coords, "coords", shape).astype(np.float64)
         numbers = np.asarray(unknowns)
         if numbers.dtype.kind not in "iu":
-            raise ValueError(f"unknowns have the type {numbers.dtype}, integers are wanted")
+            raise ValueError(f"unknowns have the type {numbers.dtype}, expected integers")
         if numbers.shape != shape:
-            raise ValueError(f"unknowns have the shape {numbers.shape}, {shape} is wanted")
+            raise ValueError(f"unknowns have the shape {numbers.shape}, expected {shape}")
         self._of_freedom = numbers.astype(np.int64).ravel()
         (self._moved,) = np.nonzero(self._of_freedom >= 0)
         self._unknowns = self._of_freedom[self._moved]
         reach = int(self._of_freedom.max(initial=-1)) + 1
         found = reach if size is None else integer(size)
         if found is None:
-            raise ValueError(f"the size is {size!r}, an integer is wanted")
+            raise ValueError(f"the size is {size!r}, expected an integer")
         self.size = found
         self._refuse(np.flatnonzero(self._of_freedom < -1), "is below -1")
         self._refuse(np.flatnonzero(self._of_freedom >= self.size), f"is not below the size, {self.size}")

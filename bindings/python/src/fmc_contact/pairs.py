@@ -46,7 +46,7 @@ def _two(surfaces: Any) -> tuple[int, int]:
     """Numbers of two named parts of surfaces."""
     found = [integer(surface) for surface in surfaces] if isinstance(surfaces, Iterable) else []
     if len(found) != 2 or found[0] is None or found[1] is None:
-        raise TypeError(f"surfaces is {surfaces!r}, and two numbers of add_surface are wanted")
+        raise TypeError(f"surfaces is {surfaces!r}, expected two numbers of add_surface")
     a, b = found[0], found[1]
     if not (0 <= a < 1 << 31 and 0 <= b < 1 << 31):
         raise ValueError(f"surfaces is {surfaces!r}, and add_surface has given no such number")
@@ -63,7 +63,7 @@ def _orthotropic(across: Optional[float], direction: Optional[Iterable[float]], 
         raise ValueError("transverse_coefficient and direction go together")
     numbers = [float(x) for x in direction]
     if len(numbers) != 3:
-        raise ValueError(f"direction has {len(numbers)} numbers, and 3 are wanted")
+        raise ValueError(f"direction has {len(numbers)} numbers, expected 3")
     friction = fmc_orthotropic_friction()
     check(library.fmc_orthotropic_friction_init(byref(friction)))
     friction.transverse_coefficient, friction.direction_of = float(across), _SIDES.index(direction_of)
@@ -226,7 +226,7 @@ class Pairs:
         law_values = {"stiffness": stiffness, "exponent": exponent, "smoothing_length": smoothing_length}
         own_law = None if law is None or isinstance(law, str) else law
         if (own_law is not None or (history != 0 and friction_law is None)) and interface != "law":
-            raise ValueError(f"{'law' if own_law is not None else 'history'} of your own belongs to the interface 'law', and it is '{interface}'")
+            raise ValueError(f"{'law' if own_law is not None else 'history'} of your own belongs to the interface 'law', not to '{interface}'")
         if history != 0 and own_law is None and friction_law is None:
             raise ValueError(f"history is {history}, and no law is given that keeps it: give 'law', too")
         own = fmc_pair_options()
@@ -267,14 +267,14 @@ class Pairs:
         shapes = {key: float(value) for key, value in shapes.items() if value is not None}
         if own_law is not None:
             if shapes or friction is not None or friction_law is not None:
-                raise ValueError("an interface by your own law has neither shapes nor friction beside it")
+                raise ValueError("an interface by your own law takes neither shapes nor friction")
             return self._set_law(a, b, own, own_law, history)
         if friction_law is not None:
             if shapes or friction is not None:
-                raise ValueError("a pair with your own law of friction has neither shapes nor a transverse_coefficient beside it")
+                raise ValueError("a pair with your own law of friction takes neither shapes nor a transverse_coefficient")
             return self._set_friction_law(a, b, own, friction_law, history)
         if shapes and friction is not None:
-            raise ValueError(f"{next(iter(shapes))} and transverse_coefficient of one pair: what is broken rubs by one coefficient")
+            raise ValueError(f"{next(iter(shapes))} and transverse_coefficient of one pair: the broken part has one coefficient of friction")
         if shapes:
             ppr = fmc_ppr()
             check(library.fmc_ppr_init(byref(ppr)))

@@ -44,7 +44,7 @@ fn keywords_that_change_nothing_are_told() {
         "*CONDUCTIVITY of material RUBBER is not used: there are no temperatures",
         "*SPECIFIC HEAT of material RUBBER is not used: there are no temperatures",
         "EXPONENTIAL is taken as HARD: surfaces press when they touch, and not before",
-        "*TIME POINTS: results are those of the ends of steps",
+        "*TIME POINTS: results are written at the ends of steps",
         "*CONTROLS: the search uses none of its numbers",
     ] {
         assert!(messages.contains(&expected), "{expected}: {messages:?}");

@@ -90,7 +90,7 @@ class DolfinxContact(Linearised, SmoothesSurfaces):
             raise ValueError("there is no space")
         given = bodies if isinstance(bodies, (list, tuple)) else [bodies] * len(listed)
         if len(given) != len(listed):
-            raise ValueError(f"bodies has {len(given)} entries, one for each of the {len(listed)} spaces is wanted")
+            raise ValueError(f"bodies has {len(given)} entries, expected one for each of the {len(listed)} spaces")
         self.comm = _comm(listed[0])
         self._fields = fields = together(self.comm, lambda: displacements(listed))
         ids = together(self.comm, lambda: [None if one is None else numbers(one, "bodies") for one in given])
@@ -102,7 +102,7 @@ class DolfinxContact(Linearised, SmoothesSurfaces):
             elif self.comm.size == 1:
                 self.whole_because = "there is one rank"
             elif not stiffness:
-                self.whole_because = "find_equilibrium, which is to find a stiffness, wants the whole mesh on every rank"
+                self.whole_because = "find_equilibrium needs the whole mesh on every rank to find a stiffness"
         if in_parts is False:
             self.whole_because = "in_parts=False was asked for"
         if in_parts and self.whole_because:
@@ -425,5 +425,5 @@ class DolfinxContact(Linearised, SmoothesSurfaces):
 def _comm(space: Any) -> Any:
     mesh = getattr(space, "mesh", None)
     if mesh is None or not hasattr(mesh, "comm"):
-        raise LayoutError(f"a function space is wanted, this is a {type(space).__name__}")
+        raise LayoutError(f"expected a function space, not a {type(space).__name__}")
     return mesh.comm

@@ -54,7 +54,7 @@ def find_equilibrium(problem: ContactProblem, solver: Any = None, **options: Any
     """
     adapter, system = problem.contact, problem.system
     if not adapter.whole_because:
-        raise ValueError("the mesh is in parts, and a search wants all of it on every rank: DolfinxContact(..., in_parts=False)")
+        raise ValueError("the mesh is in parts, and a search needs all of it on every rank: DolfinxContact(..., in_parts=False)")
     # Kept with the problem: factors of linear bodies serve later load steps.
     if problem.on_unknowns is None:
         problem.on_unknowns = _OnUnknowns(adapter, system)

@@ -51,7 +51,7 @@ class FilteredMultigrid:
         filtered: bool = True,
     ) -> None:
         if bodies is not None and cycle != "gamg":
-            raise ValueError(f"levels of the bodies are those of gamg, not of {cycle}")
+            raise ValueError(f"levels of the bodies come from gamg, not from {cycle}")
         self._touched, self._bodies, self._cycle, self.filtered = touched, bodies, cycle, filtered
         self._rigid = rigid_motions(space)
         self._levels: list[Any] = []

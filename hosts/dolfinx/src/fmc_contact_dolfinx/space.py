@@ -28,7 +28,7 @@ def displacements(spaces: Any) -> list[Displacement]:
             if other.mesh is one.mesh:
                 raise LayoutError(
                     f"spaces[{earlier}] and spaces[{number}] are on the same mesh, so that their bodies would be at the same "
-                    "place: one space has all bodies of a mesh, and other spaces have meshes of their own"
+                    "place: one space has all bodies of a mesh, and other spaces have other meshes"
                 )
         found.append(one)
     return found
@@ -41,16 +41,16 @@ class Displacement:
     def __init__(self, space: Any) -> None:
         mesh = getattr(space, "mesh", None)
         if mesh is None or not hasattr(space, "dofmap"):
-            raise LayoutError(f"a function space is wanted, this is a {type(space).__name__}")
+            raise LayoutError(f"expected a function space, not a {type(space).__name__}")
         self.space, self.mesh, self.dim = space, mesh, mesh.geometry.dim
         self.facet_dim = mesh.topology.dim - 1
         if mesh.topology.dim != self.dim or self.dim not in (2, 3):
             raise LayoutError(
-                f"the mesh has dimension {mesh.topology.dim} in {self.dim}D: bodies are wanted, no shells"
+                f"the mesh has dimension {mesh.topology.dim} in {self.dim}D: expected bodies, not shells"
             )
         if space.dofmap.index_map_bs != self.dim:
             raise LayoutError(
-                f"the space has {space.dofmap.index_map_bs} unknowns at a node, {self.dim} are wanted: a displacement"
+                f"the space has {space.dofmap.index_map_bs} unknowns at a node, expected {self.dim}: a displacement"
             )
         self.kind = cell_name(mesh)
         cell = getattr(basix.CellType, self.kind)
@@ -68,11 +68,11 @@ class Displacement:
         self.is_curved = self._geometry.num_dofs != len(self.topology[0])
         """Whether the middles of the cells' edges are given."""
         if self.is_curved and self.order > 2:
-            raise LayoutError("curved cells want a displacement of Lagrange's second order")
+            raise LayoutError("curved cells need a displacement of Lagrange's second order")
         if self.is_curved and (self.order == 1 or self._geometry.num_dofs != len(self.places)):
             raise LayoutError(
                 f"the cells have {self._geometry.num_dofs} geometry nodes, the displacement has "
-                f"{len(self.places)}: straight cells, with {len(self.topology[0])}, or as many as those are wanted"
+                f"{len(self.places)}: expected straight cells, with {len(self.topology[0])}, or the same number"
             )
         self.owned = space.dofmap.index_map.size_local
         """Blocks that this rank owns; they come first."""
@@ -90,16 +90,16 @@ class Displacement:
         if self.kind in SECOND_ORDER and counts[0] == {1}:
             return 3
         raise LayoutError(
-            f"the nodes of the space are not those of Lagrange elements of order 1 or 2 on cells of type {self.kind}, "
-            "nor are its unknowns those of another continuous element on triangles, quadrilaterals, tetrahedra or hexahedra"
+            f"the space does not have the nodes of Lagrange elements of order 1 or 2 on cells of type {self.kind}, "
+            "nor does it have another continuous element on triangles, quadrilaterals, tetrahedra or hexahedra"
         )
 
     def _reading(self) -> np.ndarray:
         element = self.space.element
         if element.needs_dof_transformations:
             raise LayoutError(
-                "the functions of the space are turned from cell to cell: Lagrange elements, or serendipity of second "
-                "order, are wanted"
+                "the functions of the space are turned from cell to cell: expected Lagrange elements, or serendipity of second "
+                "order"
             )
         straight = CELL_TYPES[self.kind]
         corners = basix.geometry(getattr(basix.CellType, self.kind))[TENSOR_ORDER[straight]]
@@ -107,11 +107,11 @@ class Displacement:
         values = np.asarray(element.basix_element.tabulate(0, places_))[0]
         values = values.reshape(len(places_), -1)
         if values.shape[1] != self.layout.num_dofs:
-            raise LayoutError("the functions of the space are vectors: a component a block is wanted")
+            raise LayoutError("the functions of the space are vectors: expected one component per block")
         if len(unread) and np.abs(unread @ values).max() > ROUNDING:
             raise LayoutError(
-                "the space has functions on the faces of tetrahedra that nodes of second order cannot follow: Lagrange "
-                "elements of order 1 or 2 are wanted"
+                "the space has functions on the faces of tetrahedra that nodes of second order cannot follow: expected Lagrange "
+                "elements of order 1 or 2"
             )
         return weights @ values
 
@@ -154,7 +154,7 @@ class Displacement:
             values = np.asarray(u)
         count = self.owned * self.dim
         if values.ndim != 1 or len(values) < count:
-            raise ValueError(f"the displacement has shape {values.shape} here, ({count},) is wanted")
+            raise ValueError(f"the displacement has shape {values.shape} here, expected ({count},)")
         return values[:count].reshape(-1, self.dim)
 
     def facet_nodes(self) -> list[tuple[list[int], list[int]]]:

@@ -71,7 +71,7 @@ def whole(displacement: Displacement, bodies: np.ndarray | None) -> Shown:
     reading = np.broadcast_to(displacement.reading.T[:, None], (of_cells.shape[1], *nodes.shape))
     matrix = nodes_from_unknowns(reading, place[number.reshape(of_cells.shape)].T, nodes, len(unknowns))
     if matrix is None:
-        raise LayoutError("the cells of the space do not agree where they meet: continuous elements are wanted")
+        raise LayoutError("the cells of the space do not agree where they meet: expected continuous elements")
     replica = _replica(displacement, unknowns[by_cells])
     return Shown(displacement, replica, undeformed, nodes, len(np.unique(inputs)), None, body, matrix)
 

@@ -86,7 +86,7 @@ class GetfemContact(SmoothesSurfaces):
         if bodies is not None:
             bodies = np.asarray(bodies)
             if bodies.shape != (before,):
-                raise ValueError(f"bodies have shape {bodies.shape}, ({before},) is wanted")
+                raise ValueError(f"bodies have shape {bodies.shape}, expected ({before},)")
             bodies = bodies[np.concatenate(cells)]
         self.contact = Contact(self._undeformed, blocks, bodies=bodies, stiffness=stiffness, **options)
 
@@ -173,7 +173,7 @@ class GetfemContact(SmoothesSurfaces):
         """
         u = np.asarray(self.model.from_variables() if u is None else u)
         if u.shape != (self.size,):
-            raise ValueError(f"the state has shape {u.shape}, ({self.size},) is wanted")
+            raise ValueError(f"the state has shape {u.shape}, expected ({self.size},)")
         return self._undeformed + u[self.dofs]
 
     def evaluate(self, u: np.ndarray | None = None) -> Result:

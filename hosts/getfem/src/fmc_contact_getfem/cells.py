@@ -91,7 +91,7 @@ def mesh_from_cells(coords: np.ndarray, conn: np.ndarray, cell_type: str) -> gf.
     coords = np.asarray(coords, np.float64)
     mesh, transform = gf.Mesh("empty", coords.shape[1]), gf.GeoTrans(_NAMES[cell_type][0])
     if not np.array_equal(mesh.add_point(coords.T), np.arange(len(coords))):
-        raise ValueError("two nodes are at one place: bodies that touch want a mesh each")
+        raise ValueError("two nodes are at one place: bodies in contact need a mesh each")
     order, _ = nearest(transform.pts().T, _PLACES[cell_type])
     mesh.add_convex(transform, coords[np.asarray(conn)[:, order]].transpose(2, 1, 0))
     return mesh

@@ -47,7 +47,7 @@ def fields(model: gf.Model, variables: list[str]) -> dict[str, Field]:
                 if both.size:
                     raise LayoutError(
                         f"'{earlier}' and '{name}' both move cell {both[0]} of the same mesh, so that their bodies would be at "
-                        "the same place: every variable moves cells of its own"
+                        "the same place: every variable moves separate cells"
                     )
         found[name] = one
     return found
@@ -64,9 +64,9 @@ def field(model: gf.Model, variable: str) -> Field:
         ) from None
     dim = mesh.dim()
     if dim not in (2, 3) or space.qdim() != dim:
-        raise LayoutError(f"'{variable}' has {space.qdim()} components in {dim}D, those of a displacement are wanted")
+        raise LayoutError(f"'{variable}' has {space.qdim()} components in {dim}D, expected a displacement")
     if space.is_reduced():
-        raise LayoutError(f"'{variable}' is of a mesh_fem that is reduced: contact wants its basic unknowns")
+        raise LayoutError(f"'{variable}' is of a mesh_fem that is reduced: contact needs its basic unknowns")
     numbers = np.asarray(space.convex_index())
     if not len(numbers):
         raise LayoutError(f"'{variable}' has no elements")
@@ -77,7 +77,7 @@ def field(model: gf.Model, variable: str) -> Field:
         name, order = _ordered(variable, element)
         unknowns = space.basic_dof_from_cvid(numbers[chosen])[0].reshape(len(chosen), -1, dim)
         if (np.diff(unknowns, axis=2) != 1).any():
-            raise LayoutError(f"'{variable}' has the unknowns of a node apart: a vector field of one element is wanted")
+            raise LayoutError(f"'{variable}' has the unknowns of a node apart: expected a vector field of one element")
         nodes = unknowns[:, :, 0] // dim
         cells.setdefault(name, []).append((nodes[:, order], chosen))
         nodes_of.append(nodes)
@@ -112,8 +112,8 @@ def _ordered(variable: str, element: gf.Fem) -> tuple[str, np.ndarray]:
         if found is not None:
             return found
     raise LayoutError(
-        f"'{variable}' has the element {element.char()}, which contact cannot read: continuous Lagrange elements of first or "
-        "second order are wanted"
+        f"'{variable}' has the element {element.char()}, which contact cannot read: expected continuous Lagrange elements of first or "
+        "second order"
     )
 
 
@@ -130,8 +130,8 @@ def _points(
         node, all_there = nearest(transform.pts().T, places)
         if not all_there:
             raise LayoutError(
-                f"'{variable}' has cells of {transform.char()}, more curved than its element {element.char()}: the same "
-                "order is wanted"
+                f"'{variable}' has cells of {transform.char()}, more curved than its element {element.char()}: expected the same "
+                "order"
             )
         points = mesh.pid_from_cvid(numbers[chosen[here]])[0].reshape(here.sum(), -1)
         found[np.ix_(here, node)] = points

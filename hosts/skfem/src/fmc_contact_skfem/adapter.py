@@ -137,7 +137,7 @@ class SkfemContact(SmoothesSurfaces):
         """
         u = np.asarray(u)
         if u.shape != (self.size,):
-            raise ValueError(f"the displacement has shape {u.shape}, ({self.size},) is wanted")
+            raise ValueError(f"the displacement has shape {u.shape}, expected ({self.size},)")
         if self._frame:
             return np.concatenate([np.eye(self._frame), u.take(self._dofs)])
         return self._undeformed + u.take(self._dofs)

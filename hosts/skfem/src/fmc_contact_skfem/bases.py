@@ -15,7 +15,7 @@ def fields_of(bases: Any) -> list[Field]:
     if _is_basis(bases):
         return [field(bases)]
     if not isinstance(bases, (list, tuple)):
-        raise LayoutError(f"bases is a {type(bases).__name__}, a basis or a list of (basis, offset) is wanted")
+        raise LayoutError(f"bases is a {type(bases).__name__}, expected a basis or a list of (basis, offset)")
     if not bases:
         raise ValueError("there is no basis")
     fields: list[Field] = []
@@ -23,12 +23,12 @@ def fields_of(bases: Any) -> list[Field]:
     for number, pair in enumerate(bases):
         if not isinstance(pair, (list, tuple)) or len(pair) != 2 or not _is_basis(pair[0]):
             raise LayoutError(
-                f"bases[{number}] is {_kind(pair)}, a pair of a basis and the place of its first unknown is wanted: "
+                f"bases[{number}] is {_kind(pair)}, expected a pair of a basis and the place of its first unknown: "
                 "[(first, 0), (second, first.N)]"
             )
         basis, offset = pair[0], integer(pair[1])
         if offset is None or offset < 0:
-            raise ValueError(f"the offset of bases[{number}] is {pair[1]!r}, the number of its first unknown is wanted, from 0")
+            raise ValueError(f"the offset of bases[{number}] is {pair[1]!r}, expected the number of its first unknown, from 0")
         fields.append(field(basis, offset))
         dims = [one.coords.shape[1] for one in fields]
         if dims[number] != dims[0]:
@@ -39,7 +39,7 @@ def fields_of(bases: Any) -> list[Field]:
         if next_begin < end:
             raise ValueError(
                 f"bases[{one}] has the unknowns {begin} to {end - 1} and bases[{other}] {next_begin} to {next_end - 1}: every "
-                "basis has unknowns of its own, [(first, 0), (second, first.N)]"
+                "basis has separate unknowns, [(first, 0), (second, first.N)]"
             )
     return fields
 
@@ -52,7 +52,7 @@ def size_of(fields: list[Field], size: Any) -> int:
         return reach
     found = integer(size)
     if found is None:
-        raise ValueError(f"the size is {size!r}, an integer is wanted")
+        raise ValueError(f"the size is {size!r}, expected an integer")
     if found < reach:
         raise ValueError(
             f"vectors of {found} entries are too short, bases[{reaches.index(reach)}] has unknowns up to {reach - 1}"

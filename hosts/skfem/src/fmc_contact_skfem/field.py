@@ -77,8 +77,7 @@ def cells_of(mesh: skfem.Mesh) -> tuple[str, np.ndarray]:
         if isinstance(mesh, kind):
             return name, np.ascontiguousarray(mesh.t[order].T)
     raise LayoutError(
-        f"a mesh of {type(mesh).__name__} is not known here: triangles, quadrilaterals, tetrahedra, hexahedra or wedges "
-        "are wanted"
+        f"a mesh of {type(mesh).__name__} is not supported: expected triangles, quadrilaterals, tetrahedra, hexahedra or wedges"
     )
 
 
@@ -96,7 +95,7 @@ def field(basis: CellBasis, offset: int = 0) -> Field:
     element = getattr(basis, "elem", None)
     if not isinstance(element, ElementVector):
         raise LayoutError(
-            f"the basis has the element {type(element).__name__}, a displacement is wanted: "
+            f"the basis has the element {type(element).__name__}, expected a displacement: "
             "ElementVector(ElementTriP1()) or the like"
         )
     mesh = basis.mesh
@@ -111,10 +110,10 @@ def field(basis: CellBasis, offset: int = 0) -> Field:
     if mesh.elem not in _FIRST_ORDER and mesh.elem is not type(element.elem):
         raise LayoutError(
             f"the mesh has curved cells of {mesh.elem.__name__}, the displacement is of {type(element.elem).__name__}: "
-            "the same is wanted"
+            "expected the same"
         )
     if len(basis.nodal_dofs) != dim:
-        raise LayoutError(f"the basis has {len(basis.nodal_dofs)} unknowns at a vertex, {dim} are wanted")
+        raise LayoutError(f"the basis has {len(basis.nodal_dofs)} unknowns at a vertex, expected {dim}")
     if isinstance(element.elem, _FIRST_ORDER):
         cell_type, conn, dofs = straight, corners, basis.nodal_dofs.T
     else:

@@ -43,8 +43,8 @@ def from_unknowns(basis: CellBasis, cell_type: str, corners: np.ndarray, conn: n
     matrix = nodes_from_unknowns(values, unknown, conn, len(first_dofs))
     if matrix is None:
         raise LayoutError(
-            f"the displacement is of {name}: its cells do not agree where they meet, or not at a node; continuous elements, "
-            "such as Lagrange elements, are wanted"
+            f"the displacement is of {name}: its cells do not agree where they meet, or not at a node; expected continuous elements, "
+            "such as Lagrange elements"
         )
     return matrix, dofs
 
@@ -59,5 +59,5 @@ def carrier(mesh: skfem.Mesh) -> type:
     ):
         if isinstance(mesh, kind):
             return element
-    raise LayoutError(f"on a mesh of {type(mesh).__name__} Lagrange elements of first order are wanted")
+    raise LayoutError(f"on a mesh of {type(mesh).__name__}: expected Lagrange elements of first order")
 

@@ -106,12 +106,12 @@ def adjoint(end: End, by_x: ArrayLike, by_forces: Optional[ArrayLike], by: Itera
 def bodies_of_end(end: End) -> Bodies:
     """Errors: ``ValueError`` where the contact is not what it was; ``UnsupportedError``."""
     if isinstance(end.given, Host):
-        raise UnsupportedError("the adjoint of bodies that solve by themselves")
+        raise UnsupportedError("the adjoint of bodies with their own solver")
     contact, coords = end.unknowns.inner, end.unknowns.coords(end.x.ravel())
     is_there = np.array_equal(contact.evaluate(coords).forces, end.forces)
     if not (is_there and np.array_equal(slip_of(contact), end.slip)):
         raise ValueError(
-            "the contact is not what it was at the equilibrium: ask for the adjoint before obstacles, options or multipliers change, "
+            "the contact has changed since the equilibrium: compute the adjoint before obstacles, options or multipliers change, "
             "and before commit_step"
         )
     if len(contact.multipliers.values) and len(contact.tie_nodes(coords)):
@@ -174,8 +174,8 @@ def _warnings(found: Place, there: Optional[Place], change: float, closing: floa
         texts.append(f"{said}, and could not be closed: the derivative is wrong by an unknown amount; {asked}")
     elif worst > _OPEN * most or change > _OPEN:
         texts.append(
-            f"{said}; as they close, J changes by {closing:.1e} and its derivatives by {change:.1%}: the derivative is that with closed gaps, "
-            f"and differences of J as the search leaves it are others; {asked}"
+            f"{said}; as they close, J changes by {closing:.1e} and its derivatives by {change:.1%}: this is the derivative "
+            f"with closed gaps, and differs from differences of J with the gaps of the search; {asked}"
         )
     if begins := int((at.values["shift"] < _AT_EDGE * at.values["shift"].max()).sum()):
         texts.append(f"{begins} nodes are hardly pressed: where they part, J has an edge")

@@ -115,7 +115,7 @@ def bodies_of(given: Union[Residual, Host], contact: Any, shape: tuple[int, ...]
     if not isinstance(given, Host):
         return Bodies(given, contact, shape, free, solve)
     if solve is not None:
-        raise ValueError("bodies that solve by themselves take no solve")
+        raise ValueError("bodies with their own solver take no solve")
     return given
 
 

@@ -123,7 +123,7 @@ def find_equilibrium(
     unknowns = Moved(contact, begin.size)
     end = None if prescribed is None else _prescribed(prescribed, begin, solved_for)
     if penetration is not None and not penetration > 0:
-        raise ValueError(f"the penetration is {penetration}, a positive one is wanted")
+        raise ValueError(f"the penetration is {penetration}, expected a positive one")
     steps = _condensed(bodies, two_level)
     options = {
         "tolerance": tolerance,
@@ -151,7 +151,7 @@ def _condensed(bodies: Host, wanted: Optional[bool]) -> Optional[CondensedSteps]
     """Condensed bodies if requested, or if possible."""
     if not isinstance(bodies, Bodies):
         if wanted:
-            raise ValueError("bodies that solve by themselves are not condensed")
+            raise ValueError("bodies with their own solver are not condensed")
         return None
     # A solver of an adapter is no wish of the user's.
     has_own = bodies.solve_with is not None and not getattr(bodies.solve_with, "is_of_adapter", False)

@@ -72,11 +72,11 @@ def other_unknowns(
         return []
     if takes_coords:
         return [
-            "the residual at the start is that of bodies stretched to twice their size, and small where x is zero: the function "
+            "the residual at the start is as for bodies stretched to twice their size, and small where x is zero: the function "
             "takes displacements, and with a Contact x are coordinates; OnUnknowns(contact, coords, unknowns) takes displacements"
         ]
     return [
-        "the residual at the start is that of bodies without extent, and small where x are the places of the nodes: the function takes "
+        "the residual at the start is as for bodies without extent, and small where x are the positions of the nodes: the function takes "
         "coordinates, and with this contact x are displacements"
     ]
 
@@ -108,7 +108,7 @@ def refuse_components(matrix: Any, dim: int) -> None:
     least = 1e-9 * float((abs(matrix) @ np.ones(matrix.shape[0])).max(initial=0.0))
     if count > dim and (abs(by_axis) <= least).all() and (abs(by_node).max(axis=0) > 1e3 * least).all():
         raise ValueError(
-            "the matrix has all displacements along x before those along y, the contact wants node * dim + axis: "
+            "the matrix has all displacements along x before those along y, the contact needs node * dim + axis: "
             f"OnUnknowns(contact, coords, np.arange({matrix.shape[0]}).reshape({dim}, {count}).T) takes the host's order"
         )
 

@@ -15,7 +15,7 @@ def count(name: str, value: Any, least: int) -> int:
     """A whole number that is given as an argument of this name."""
     found = integer(value)
     if found is None or not least <= found < 1 << 31:
-        raise ValueError(f"{name} is {value!r}, and an integer of at least {least} is wanted")
+        raise ValueError(f"{name} is {value!r}, expected an integer of at least {least}")
     return found
 
 

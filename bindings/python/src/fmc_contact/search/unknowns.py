@@ -26,7 +26,7 @@ class Moved:
             told = np.where(self.of_coordinate < 0, 0.0, wave[np.clip(self.of_coordinate, 0, size - 1)])
             again = (contact.coords(wave) - start).ravel()
             if np.abs(again - told).max(initial=0.0) > 1e-9 * (1.0 + np.abs(start).max(initial=0.0)):
-                raise ValueError("every coordinate of the contact has to be moved by one unknown, by as much as that")
+                raise ValueError("exactly one unknown has to move each coordinate of the contact, by the same amount")
         elif count != size:
             raise ValueError(f"x has {size} entries, the contact {count} degrees of freedom")
 
