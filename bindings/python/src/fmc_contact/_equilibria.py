@@ -52,7 +52,7 @@ class Equilibria:
     def adjoint(
         self, bodies: Bodies, key: tuple[Any, ...], by_x: np.ndarray, x: np.ndarray, prescribed: Given, reference: Given, positions: Given
     ) -> Adjoint:
-        """The adjoint there; the equilibrium is found once more if another one was found since."""
+        """The adjoint there; the equilibrium is recomputed if another one was found since."""
         names = [name for name, given in (("reference", reference), ("positions", positions)) if given is not None]
         if self._last is None or self._last[0] != key:
             self.solved(bodies, key, x, prescribed, reference, positions)

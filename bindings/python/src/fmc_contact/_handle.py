@@ -1,4 +1,4 @@
-"""A context of the library: freed when nothing refers to it any more, and used by one call at a time."""
+"""A context of the library: freed with its last reference, and used by one call at a time."""
 
 from __future__ import annotations
 
@@ -79,7 +79,7 @@ class Handle:
         check(status)
 
     def rows(self, of_type: type[Row], function: Callable[..., int], *arguments: object) -> Array[Row]:
-        """Rows of which the library knows the number: it is asked for that, then for them."""
+        """Rows whose number the library knows: the first call returns the number, the second the rows."""
         count = c_size_t()
         self.call(function, *arguments, None, 0, byref(count))
         rows = (of_type * count.value)()

@@ -16,7 +16,7 @@ from ._structs import fmc_log_callback
 
 
 def history_count(history: int, carrier: str) -> int:
-    """How many numbers each carrier keeps, checked."""
+    """Number of values that each carrier keeps, checked."""
     count = integer(history)
     if count is None:
         raise TypeError(f"history is {history!r}, expected the number of values that a {carrier} keeps")

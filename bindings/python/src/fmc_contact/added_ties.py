@@ -109,7 +109,7 @@ class Ties:
             self._core.handle.call(library.fmc_context_remove_tie, _number("tie", tie))
 
     def set_jump(self, tie: int, jump: ArrayLike) -> None:
-        """Sets how far part A lies from part B, in addition to the period. Faces are not searched again, and multipliers stay.
+        """Sets the jump of part A relative to part B, in addition to the period. Faces are not searched again, and multipliers stay.
 
         With ``jump = H @ period`` a periodic cell has the macroscopic displacement gradient H.
 
@@ -154,7 +154,7 @@ class Ties:
         BadValueError
             If there is no such tie.
         UntiedError
-            If other reference coordinates have left nothing of the tie.
+            If other reference coordinates leave no face of the tie.
 
         Examples
         --------

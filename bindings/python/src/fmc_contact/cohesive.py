@@ -139,7 +139,7 @@ class CohesiveInterfaces:
         LengthError, NonFiniteCoordinateError
             If the coordinates do not fit the mesh.
         UntiedError
-            If other reference coordinates have left nothing of the interface.
+            If other reference coordinates leave no face of the interface.
 
         Examples
         --------
@@ -207,7 +207,7 @@ class CohesiveInterfaces:
         LengthError
             If the shape is not (m, 2).
         NotPositiveError
-            If a damage is outside 0 to 1, or an energy is negative. The damage stays as it was.
+            If a damage is outside 0 to 1, or an energy is negative. The damage is then unchanged.
         UntiedError
             As ``interface``.
 
@@ -244,7 +244,7 @@ class CohesiveInterfaces:
         LengthError
             If the shape is not (m, 5).
         NotPositiveError
-            If a value is not finite, or the energy of the viscosity is negative. The history stays as it was.
+            If a value is not finite, or the energy of the viscosity is negative. The history is then unchanged.
         UntiedError
             As ``interface``.
 

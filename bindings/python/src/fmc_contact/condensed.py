@@ -161,7 +161,7 @@ class Condensed:
         return change, found
 
     def carried(self, x: np.ndarray, moved: np.ndarray, inside: np.ndarray, matrix: Any) -> np.ndarray:
-        """The same change without contact, from where nothing touches."""
+        """The same change without contact, from a state without contact."""
         self.expect(x, moved)
         self._condense(matrix)
         right, change = inside + matrix @ moved, moved.copy()

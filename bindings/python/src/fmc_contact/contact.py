@@ -44,8 +44,8 @@ from .wear import Wear
 class Contact:
     """Contact of a mesh, for repeated evaluations: keeps its boundary, search trees and obstacles.
 
-    Coordinates include all nodes, used or not. float64 arrays are read in place, in any layout; other real numbers are converted. After an error a
-    contact is as it was before the call.
+    Coordinates include all nodes, used or not. float64 arrays are read in place, in any layout; other real numbers are converted. An error leaves
+    a contact unchanged.
 
     Contacts share nothing, so different threads may use different contacts at once; the GIL is released during an evaluation.
     Concurrent calls on one contact raise ``BusyError``.
@@ -552,7 +552,7 @@ class Contact:
         conductance : float or Conductance
             h, the same wherever surfaces touch, or its tables.
         obstacles : array_like, (m,) or (fields, m), optional
-            The same for every obstacle. Default: nothing flows into obstacles.
+            The same for every obstacle. Default: no flux into obstacles.
 
         Returns
         -------
@@ -687,11 +687,11 @@ class Contact:
         adjoint : array_like, (n, dim) or (dim, n), optional
             Factors of the nodal forces, friction included. Default: zeros.
         energy : float
-            Factor of the contact energy, of which friction is no part.
+            Factor of the contact energy, which does not include friction.
         by : iterable of str
-            What to differentiate by; nothing else is computed. ``"coords"`` · ``"reference"``, the undeformed coordinates, from which
-            the law ``"depth"`` has its depths · ``"positions"`` and ``"rotations"`` of the obstacles · ``"stiffness"``,
-            ``"gap_offset"`` and ``"friction"`` (coefficient) of the pairs · ``"slip"``, the elastic slip carried into the step.
+            Variables of the derivatives; no others are computed. ``"coords"`` · ``"reference"``, the undeformed coordinates, from which the law
+            ``"depth"`` measures its depths · ``"positions"`` and ``"rotations"`` of the obstacles · ``"stiffness"``, ``"gap_offset"`` and
+            ``"friction"`` (coefficient) of the pairs · ``"slip"``, the elastic slip carried into the step.
         slip_adjoint : array_like, (rows, 8), optional
             Factors of the elastic slip that ``friction.commit_step(coords)`` would carry on, in rows as ``friction.slip`` has them: a term
             more. Default: zeros.
@@ -752,7 +752,7 @@ class Contact:
         stiffness, gap_offset, friction : float
             Rates of the stiffness k, the gap offset and the coefficient of friction of every pair that touches.
         pairs : iterable of PairGradient
-            Such rates of single pairs, in addition. A pair that does not touch does nothing.
+            Such rates of single pairs, in addition. A pair without contact has no effect.
         slip : array_like, (rows, 8), optional
             Rates of the elastic slip carried into the step, in rows as ``friction.slip`` has them.
 
@@ -768,7 +768,7 @@ class Contact:
         UnsupportedError
             As ``vjp`` with an adjoint, for all variables with a rate.
         FmcError
-            As ``tangent`` raises; for pairs and rows of slip that there are not.
+            As ``tangent``; for pairs and rows of slip that do not exist.
 
         Examples
         --------
@@ -900,7 +900,7 @@ class Contact:
         Returns
         -------
         float
-            The step (time); ``inf`` where nothing touches.
+            The step (time); ``inf`` without contact.
 
         Raises
         ------
@@ -956,7 +956,7 @@ class Contact:
             )
 
     def step_limit(self, coords: ArrayLike, step: ArrayLike) -> StepLimit:
-        """How far nodes may go along a step so that nothing passes through anything.
+        """Part of a step in which no body passes through another.
 
         The overlap of surfaces grows by at most half a facet, and no body moves by more than half its thickness relative to another. Use it in your
         own iteration; ``find_equilibrium`` includes it.

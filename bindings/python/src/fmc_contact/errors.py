@@ -27,7 +27,7 @@ _KEYS = {
 
 
 class FmcError(Exception):
-    """A call that failed. Its outputs are untouched, and the contact is as it was before.
+    """A call that failed. Its outputs and the contact are unchanged.
 
     ``status`` is the number of the header's ``fmc_status``; 0 for a library that could not be loaded.
     """
@@ -213,8 +213,7 @@ class ObstacleRemovedError(FmcError, IndexError):
 
 
 class TooManyPiecesError(FmcError, ValueError):
-    """The facets of a pair lie in so many layers that ``exact`` would cut them into more pieces than can be worked
-    through."""
+    """The facets of a pair lie in so many layers that ``exact`` would cut them into too many pieces."""
 
 
 class UnfinishedLinesError(FmcError, ValueError):
@@ -275,7 +274,7 @@ class OnOtherRankError(FmcError, RuntimeError):
 
 
 class RanksDifferError(FmcError, ValueError):
-    """Ranks that share the work were given different coordinates, options or obstacles, or asked for different things."""
+    """Ranks that share the work were given different coordinates, options or obstacles, or made different calls."""
 
 
 class NotGatheredError(FmcError, RuntimeError):

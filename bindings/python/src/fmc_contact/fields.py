@@ -15,7 +15,7 @@ from ._structs import fmc_contact_point, fmc_nodal_contact
 
 @dataclass(frozen=True, eq=False)
 class NodalContact:
-    """The contact at every node, n of them in the order of the coordinates; zero where nothing touches.
+    """The contact at every node, n of them in the order of the coordinates; zero without contact.
 
     The nodal force without its friction is ``-(pressure * area)[:, None] * normal``, to rounding. With cells of second order
     that is the force at the point of their division that represents the node (see ``PointWeights``). Nodes at the edge of the contact may
@@ -105,7 +105,7 @@ class ContactPoints:
         Nodes of the boundary face of each side; with ``"depth"`` nodes of the cell on the side without a facet; -1 where there is
         none. With cells of second order they are points: rows of ``contact.mesh.point_weights()``.
     weights : ndarray, (m, 2, 8)
-        Values of their shape functions at the end: a force there goes to the nodes, or points, by these parts.
+        Values of their shape functions at the end: a force there is distributed to the nodes, or points, with these factors.
 
     Examples
     --------

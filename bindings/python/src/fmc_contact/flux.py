@@ -25,11 +25,11 @@ class Conductance:
     Attributes
     ----------
     by_pressure : array_like, (entries, 2)
-        Pressures ≥ 0, each larger than the one before, and h ≥ 0 there, where surfaces touch. Before the first and beyond the last h
-        stays as it is there. One entry is a constant. Without entries nothing flows.
+        Pressures ≥ 0, each larger than the one before, and h ≥ 0 there, where surfaces touch. h is constant before the first and beyond the
+        last. One entry is a constant. Without entries there is no flux.
     by_gap : array_like, (entries, 2)
-        Gaps ≥ 0, each larger than the one before, and h ≥ 0 there, where surfaces are apart. Beyond the last nothing flows. Without
-        entries nothing flows.
+        Gaps ≥ 0, each larger than the one before, and h ≥ 0 there, where surfaces are apart. Beyond the last there is no flux. Without entries
+        there is no flux.
 
     Examples
     --------

@@ -27,8 +27,8 @@ def rows_of(slip: ArrayLike, name: str) -> np.ndarray:
 class FrictionSteps:
     """Steps with friction, which count slip from their start.
 
-    Call ``begin_step`` before the first evaluation with friction. Call ``commit_step`` after every step that is accepted, with the
-    accepted coordinates, and never within an iteration. A step may be tried as often as you like: nothing has to be undone.
+    Call ``begin_step`` before the first evaluation with friction. Call ``commit_step`` after every step that is accepted, with the accepted
+    coordinates, and never within an iteration. You may repeat a step any number of times: nothing has to be undone.
 
     Examples
     --------
@@ -44,7 +44,7 @@ class FrictionSteps:
     def begin_step(self, coords: ArrayLike) -> None:
         """Begins a step, with the obstacles where they are.
 
-        Elastic slip carried so far stays; there is none at first. A facet that touches later counts its slip from then on.
+        Accumulated elastic slip is kept; there is none at first. A facet that touches later counts its slip from then on.
 
         Parameters
         ----------
@@ -54,7 +54,7 @@ class FrictionSteps:
         Raises
         ------
         FmcError
-            As ``Contact.evaluate`` raises. Nothing has changed then.
+            As ``Contact.evaluate`` raises. The contact is then unchanged.
 
         Examples
         --------
@@ -77,7 +77,7 @@ class FrictionSteps:
         NoStepError
             If no step has begun.
         FmcError
-            As ``Contact.evaluate`` raises. Nothing has changed then.
+            As ``Contact.evaluate`` raises. The contact is then unchanged.
 
         Examples
         --------
@@ -147,9 +147,9 @@ class FrictionSteps:
         LengthError
             If the shape is not (rows, 8).
         IndexOutOfRangeError
-            If a row names a facet, a body or an obstacle that does not exist, or one twice, or is no such row.
+            If a row names a facet, a body or an obstacle that does not exist, occurs twice, or is invalid.
         NonFiniteSlipError
-            If an entry of the slip is not finite. The slip stays as it was.
+            If an entry of the slip is not finite. The slip is then unchanged.
 
         Examples
         --------
@@ -185,7 +185,7 @@ class FrictionSteps:
         LengthError
             If there are more or fewer numbers.
         NotPositiveError
-            If a number is not finite. The history stays as it was.
+            If a number is not finite. The history is then unchanged.
 
         Examples
         --------

@@ -28,14 +28,14 @@ class FrictionFacets:
     pressure : ndarray, (n,)
         Mean pressures over the area in contact, positive.
     slip : ndarray, (n, dim - 1)
-        How far the first partner has slipped against the second since the step began, along the axes, elastic or not (length).
+        Slip of the first partner against the second since the step began, along the axes, including its elastic part (length).
     trial : ndarray, (n, dim - 1)
-        The elastic slip if nothing slid in the step (length). Where its length times ``stiffness`` is beyond the limit, the facet slides by the
-        rest.
+        The trial elastic slip, as if no facet slid in the step (length). Where its length times ``stiffness`` is beyond the limit, the facet
+        slides by the rest.
     stiffness : float
         Stiffness of the stick, a pressure per length. 0: friction without memory.
     time_step : float
-        How long the step takes, as ``contact.cohesive.set_time_step`` said. 0: nothing was said.
+        Duration of the step, from ``contact.cohesive.set_time_step``. 0: not set.
     history : ndarray, (n, h)
         Numbers that the facets carry, as the last step that was committed left them. 0 at the first touch.
     fields : ndarray, (n, 2, m)
@@ -46,7 +46,7 @@ class FrictionFacets:
     position : ndarray, (n, dim)
         Where the tractions act.
     area : ndarray, (n,)
-        Areas for which the facets stand. Where two bodies meet, each side has half of the area in contact.
+        Tributary areas of the facets. Where two bodies meet, each side has half of the area in contact.
     facet : ndarray of int, (n,)
         Places of the facets in ``contact.mesh.boundary_facets``.
     partners : tuple
@@ -176,9 +176,9 @@ def check_friction_law(
     slip : float
         The largest slip of a step to ask at, along every axis (length).
     history : int
-        How many numbers a facet keeps.
+        Number of values that a facet keeps.
     time_step : float
-        How long the step takes. 0: nothing is said.
+        Duration of the step. 0: not set.
     fields : array_like, (m,), optional
         Values of fields, the same on both sides of every facet, for a law that looks at them.
 

@@ -29,16 +29,16 @@ class LawPoints:
         Opening beyond the initial gap, along the normal of the second body (length), negative in compression. Then the slip of the first body along
         the axes in the plane of the facet of the second.
     history : ndarray, (n, h)
-        Numbers that the points carry, as the last step that was committed left them. 0 at first.
+        Numbers that the points carry, after the last committed step. 0 at first.
     time_step : float
-        How long the step takes, as ``contact.cohesive.set_time_step`` said. 0: nothing was said.
+        Duration of the step, from ``contact.cohesive.set_time_step``. 0: not set.
     position, reference : ndarray, (n, dim)
         Where the points are on the first body, now and undeformed.
     axes : ndarray, (n, dim, dim)
         Normal and tangential axes, by rows. In 2D the axis is the normal turned by +90°. In 3D the first axis is the x axis projected into the
-        undeformed facet (the z axis, where the normal is within 0.1° of x), which goes along with the facet. The second is normal × first.
+        undeformed facet (the z axis, where the normal is within 0.1° of x), which moves along with the facet. The second is normal × first.
     area : ndarray, (n,)
-        Areas that the points stand for, undeformed.
+        Tributary areas of the points, undeformed.
     bodies : tuple of int
         The pair, the lower one first.
     fields : ndarray, (n, 2, m)
@@ -171,11 +171,11 @@ def check_law(
     scale : float
         A jump over which the tractions change (length), such as the opening at which damage begins.
     history : int
-        How many numbers a point keeps.
+        Number of values that a point keeps.
     jump : array_like, (m, dim), optional
         Jumps at which to check. Default: 60 that are spread over −scale/4 … scale along the normal and −scale … scale across it.
     time_step : float
-        How long the step takes. 0: nothing is said.
+        Duration of the step. 0: not set.
     fields : array_like, (m,), optional
         Values of fields, the same on both sides of every point, for a law that looks at them.
 
@@ -222,7 +222,7 @@ class LawStates:
     position : ndarray, (m, dim)
         Where the point is, on the first body.
     area : ndarray, (m,)
-        Area that it stands for, undeformed.
+        Its tributary area, undeformed.
     axes : ndarray, (m, dim, dim)
         Normal of the second body and axes in its plane, by rows.
     jump : ndarray, (m, dim)
@@ -283,7 +283,7 @@ class InterfaceLaws:
         InterfaceLawError
             If a law returns a number that is not finite.
         UntiedError
-            If other reference coordinates have left nothing of an interface.
+            If other reference coordinates leave no face of an interface.
 
         Examples
         --------
@@ -336,14 +336,14 @@ class InterfaceLaws:
     def history(self) -> np.ndarray:
         """History of all points after the committed steps, in the order of ``points``, one point after the other.
 
-        With the coordinates you need nothing else of them for a restart.
+        A restart needs it and the coordinates.
 
         Raises
         ------
         LengthError
             If there are more or fewer numbers.
         NotPositiveError
-            If a number is not finite. The history stays as it was.
+            If a number is not finite. The history is then unchanged.
         UntiedError
             As ``points``.
 

@@ -209,7 +209,7 @@ class Mesh:
         ValueError
             If the number of rows is not the number of nodes.
         RangeError
-            If an entry is not finite. Nothing changes then.
+            If an entry is not finite. The mesh is then unchanged.
 
         Examples
         --------
@@ -223,7 +223,7 @@ class Mesh:
             core.unknown_count = core.node_count if matrix is None else unknown_count
 
     def set_reference(self, coords: ArrayLike) -> None:
-        """Sets the undeformed coordinates, from which the law ``"depth"`` has its depths.
+        """Sets the undeformed coordinates, from which the law ``"depth"`` measures its depths.
 
         The default is the coordinates with which the contact was made.
 
@@ -248,8 +248,8 @@ class Mesh:
     def set_symmetry_planes(self, planes: Iterable[tuple[ArrayLike, ArrayLike]]) -> None:
         """Sets planes of symmetry, and replaces earlier ones.
 
-        For the law ``"depth"`` a face without deformation in one of them is no surface, since the body goes on behind it. The host
-        holds the nodes of such faces in their plane.
+        For the law ``"depth"`` a face without deformation in one of them is no surface, since the body continues behind it. The host holds the
+        nodes of such faces in their plane.
 
         Parameters
         ----------
@@ -277,7 +277,7 @@ class Mesh:
             self._core.handle.call(library.fmc_context_set_symmetry_planes, points, normals, len(given))
 
     def set_surface_smoothing(self, feature_angle: float) -> None:
-        """Has straight faces that stand for round surfaces measured as these.
+        """Measures straight faces as the round surfaces that they represent.
 
         Where faces of first order meet at less than the angle, the surface between them is smooth. Its normal at a node follows from the faces around
         the node. It is for the law ``"depth"`` between two bodies. Curved faces of second order are measured as curved in any case.
@@ -291,7 +291,7 @@ class Mesh:
         Raises
         ------
         NotPositiveError
-            If the angle is negative, no number, or 90 and more.
+            If the angle is negative, NaN, or at least 90.
         UnsupportedError
             If the surface has no cells, or the mesh is in parts.
 
@@ -308,8 +308,8 @@ class Mesh:
         Parameters
         ----------
         facets : array_like of int or bool, (m,)
-            Rows of ``boundary_facets``, counted from 0 whatever the ``index_base``, or one bool for each row. They may belong to several
-            bodies. Name all four facets of a quadrilateral face, and all parts of a face of second order.
+            Rows of ``boundary_facets``, always counted from 0, or one bool for each row. They may belong to several bodies. Name all four facets
+            of a quadrilateral face, and all parts of a face of second order.
 
         Returns
         -------
@@ -353,7 +353,7 @@ class Mesh:
         """Names the nodes that lie in planes of symmetry, and replaces earlier ones.
 
         The planes are those in which the faces lie all of whose nodes are named, the fewest that hold all these nodes: see
-        ``set_symmetry_planes``. A face of the contact surface in a corner between two planes is none. With cells of second order the
+        ``set_symmetry_planes``. A face of the contact surface in a corner between two planes does not count. With cells of second order the
         nodes in the middle of edges and faces are named too.
 
         Parameters

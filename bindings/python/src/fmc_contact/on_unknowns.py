@@ -16,8 +16,7 @@ from .result import Result
 class OnUnknowns:
     """A contact of a host that numbers its unknowns in its own way: by components, by equations, or without those that it holds.
 
-    ``find_equilibrium`` and ``check_host`` then take displacements, residual and matrix as the host has them; nothing has to be
-    permuted.
+    ``find_equilibrium`` and ``check_host`` then take displacements, residual and matrix as the host has them; no permutation is needed.
 
     Parameters
     ----------

@@ -104,9 +104,8 @@ class Options(OtherOptions, total=False):
     shear_limit : float
         Largest shear traction. 0, the default: no limit.
     memoryless_slip : float
-        Slip in a step (length) from which on friction without memory acts in full: a speed times the time step, for example.
-        It is smooth and transfers nothing between steps, so that sticking contact creeps. 0, the default: friction with memory.
-        Excludes ``friction_stiffness``.
+        Slip in a step (length) from which on friction without memory acts in full: a speed times the time step, for example. It is smooth and
+        has no history, so that sticking contact creeps. 0, the default: friction with memory. Excludes ``friction_stiffness``.
     static_coefficient : float
         Static coefficient of friction, at least ``friction_coefficient``, to which it falls with the slip. A facet that sticks throughout a step
         rests. 0, the default: one coefficient. Excludes ``memoryless_slip``.

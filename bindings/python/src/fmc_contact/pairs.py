@@ -54,7 +54,7 @@ def _two(surfaces: Any) -> tuple[int, int]:
 
 
 def _orthotropic(across: Optional[float], direction: Optional[Iterable[float]], direction_of: str) -> Optional[fmc_orthotropic_friction]:
-    """Friction that is another across a direction, as it was asked for."""
+    """Friction along a direction, as it was set."""
     if direction_of not in _SIDES:
         raise ValueError(f"option 'direction_of' has no value '{direction_of}', expected a or b")
     if across is None and direction is None:
@@ -135,9 +135,9 @@ class Pairs:
             a function of ``LawPoints`` that returns a ``LawResponse``. Default then: the one that the pair has; its points begin with a
             history of 0 again.
         stiffness : float, optional
-            Stiffness of the pair. Alone, it goes with the law that the contact has now. Of a cohesive interface: the traction by
-            opening without damage, and in compression. By default so much that damage begins at a hundredth of the opening at which a
-            linear softening ends.
+            Stiffness of the pair. Alone, it applies with the current law of the contact. Of a cohesive interface: the traction by opening
+            without damage, and in compression. By default so much that damage begins at a hundredth of the opening at which a linear softening
+            ends.
         exponent, smoothing_length : float, optional
             Of the laws ``"volume"`` and ``"fiber"``, as in ``Options``.
         friction_coefficient : float, optional
@@ -162,8 +162,8 @@ class Pairs:
             ``friction.commit_step`` and updates of multipliers search again for the points that face each other. ``"rough"``: contact that never
             slides where it is closed. ``"law"``: they are held together by your own law. See ``contact.laws``.
         reach : float
-            Of bodies that are tied, held together or slide without separation: the largest gap or overlap between faces that belong
-            together (length). A gap stays as it is. 0: a tenth of the mean facet of the body with the larger facets, all its faces included.
+            Of bodies that are tied, held together or slide without separation: the largest gap or overlap between faces that belong together
+            (length). A gap stays as it is. 0: a tenth of the mean facet of the body with the larger facets, including all its faces.
         normal_strength, shear_strength : float
             Of a cohesive interface: the tractions at which damage begins in pure opening and in pure sliding. The value for sliding is by default
             equal to the value for opening.
@@ -176,7 +176,7 @@ class Pairs:
             How the traction falls: ``"linear"`` or ``"exponential"``. ``"ppr"``: it rises and falls by the potential of Park, Paulino and Roesler,
             without ``stiffness``, ``mixed_mode_exponent`` or ``viscosity``.
         viscosity : float
-            A time by which damage lags behind the law, so that searches pass where a structure snaps. Say how long steps take with
+            A time by which damage lags behind the law, so that searches pass where a structure snaps. Set the duration of steps with
             ``contact.cohesive.set_time_step``.
         surfaces : tuple of int, optional
             With ``"tied"``, ``"cohesive"`` and ``"no_separation"``: the parts of the surfaces of ``a`` and ``b`` that belong together, as
@@ -186,8 +186,8 @@ class Pairs:
             Coefficient of friction across ``direction``, in 3D. Along it the coefficient is ``friction_coefficient``. Default: the
             same in all directions.
         direction : sequence of float, optional
-            The direction, with ``transverse_coefficient``: 3 numbers, of any length but 0. It is given for the body without deformation,
-            or in the frame of the obstacle, is projected into every facet, and goes along as the facet deforms and turns.
+            The direction, with ``transverse_coefficient``: 3 numbers, of any length but 0. It is given for the body without deformation, or in
+            the frame of the obstacle, is projected into every facet, and moves along as the facet deforms and turns.
         direction_of : str
             To which partner the direction belongs: ``"a"`` or ``"b"``.
         normal_shape, shear_shape : float, optional
@@ -196,7 +196,8 @@ class Pairs:
             With ``softening="ppr"``: the opening or sliding at the strength, divided by the one at which the traction ends. Above 0, and
             at most 1/√(2 shape − 1). Default: 0.05.
         history : int
-            With your own law: how many numbers each point, or facet, keeps from step to step. They begin with 0, also where a law is set again.
+            With your own law: number of values that each point, or facet, keeps from step to step. They begin with 0, also where a law is set
+            again.
         friction_law : callable, optional
             Your own law of friction, in place of coefficients, ``cohesion`` and ``shear_limit``: a function of ``FrictionFacets`` that returns
             a ``FrictionResponse``, with the tractions at which facets slide. Options of the pair that are set later take it back.
@@ -438,7 +439,7 @@ class Pairs:
         return float(wear_a[0]), float(wear_b[0])
 
     def tie(self, a: int, b: int) -> Tie:
-        """The tie of two bodies, as it was found without deformation; of bodies that slide without separation where it was found last.
+        """The tie of two bodies, as found without deformation; for bodies that slide without separation, as found last.
 
         Parameters
         ----------
@@ -455,7 +456,7 @@ class Pairs:
         BodyOutOfRangeError
             If there is no such body.
         UntiedError
-            If other reference coordinates have left nothing of the tie.
+            If other reference coordinates leave no face of the tie.
 
         Examples
         --------

@@ -40,7 +40,7 @@ it faced; the slip, whose last entry is 0 in 2D, and how far it has slid since i
 
 @dataclass(frozen=True)
 class GatheredCounts:
-    """How much of a mesh in parts was gathered: the same on all ranks, except for the own cells.
+    """Gathered part of a mesh in parts: the same on all ranks, except for the own cells.
 
     Attributes
     ----------
@@ -51,7 +51,7 @@ class GatheredCounts:
     own_cell_count : int
         Cells that this rank gave.
     gather_count : int
-        How often cells were gathered.
+        Number of times that cells were gathered.
 
     Examples
     --------
@@ -135,7 +135,7 @@ class PartitionedContact(Contact):
     stiffness : float
         Stiffness k > 0 of the law.
     reach : float
-        How far ``gap_constraints`` may reach (length).
+        Largest reach of ``gap_constraints`` (length).
     **options : OtherOptions
         See ``Options``.
 
@@ -275,7 +275,7 @@ class PartitionedContact(Contact):
         return found
 
     def gathered(self) -> GatheredCounts:
-        """How much was gathered.
+        """Size of the gathered part.
 
         Returns
         -------

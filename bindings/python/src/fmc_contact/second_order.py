@@ -1,4 +1,4 @@
-"""Where the nodes of cells of second order stand, for adapters: after the corners, each in the middle of some of them.
+"""Positions of the nodes of cells of second order, for adapters: after the corners, each in the middle of some of them.
 
 Nodes are in the order of meshio, which is VTK's: corners, middles of edges, of quadrilateral faces, of the cell.
 """

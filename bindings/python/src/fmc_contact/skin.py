@@ -48,7 +48,7 @@ class Skin:
         return np.concatenate([part.points(at) for part, at in zip(self._parts, _cut(at_nodes, self.first_node))])
 
     def to_nodes(self, forces: np.ndarray) -> np.ndarray:
-        """Forces on the points, (points, dim), brought to the nodes."""
+        """Forces on the points, (points, dim), transferred to the nodes."""
         if self.prolongation is None:
             return forces
         return np.concatenate([part.to_nodes(at) for part, at in zip(self._parts, _cut(forces, self._first_point))])

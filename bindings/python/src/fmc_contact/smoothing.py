@@ -1,4 +1,4 @@
-"""Straight faces that stand for round surfaces, for adapters."""
+"""Straight faces that represent round surfaces, for adapters."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from .contact import Contact
 
 
 class SmoothesSurfaces:
-    """Part of an adapter, an object with a ``contact``: hands the smoothing of surfaces on to it.
+    """Part of an adapter, an object with a ``contact``: passes the smoothing of surfaces to it.
 
     Examples
     --------
@@ -16,7 +16,7 @@ class SmoothesSurfaces:
     contact: Contact
 
     def set_surface_smoothing(self, feature_angle: float) -> None:
-        """Has straight faces that stand for round surfaces measured as these. See ``Mesh.set_surface_smoothing``.
+        """Measures straight faces as the round surfaces that they represent. See ``Mesh.set_surface_smoothing``.
 
         Parameters
         ----------
@@ -27,7 +27,7 @@ class SmoothesSurfaces:
         Raises
         ------
         NotPositiveError
-            If the angle is negative, no number, or 90 and more.
+            If the angle is negative, NaN, or at least 90.
         UnsupportedError
             If the surface has no cells, or the mesh is in parts.
 

@@ -1,4 +1,4 @@
-"""How far a step may go."""
+"""Limits of a step."""
 
 from typing import NamedTuple
 
@@ -11,7 +11,7 @@ class StepLimit(NamedTuple):
     part : float
         Part of the step, at most 1, that no body passes another by.
     first_touch : float
-        Part of it at which the first gap closes, as far as gaps change with the slopes of now; ``inf`` where none does.
+        Part of it at which the first gap closes, from the current slopes of the gaps; ``inf`` if no gap closes.
 
     Examples
     --------

@@ -28,7 +28,7 @@ class Tie:
         Number of means of the jump that are held: of nodes of the side that holds, mostly that with the larger facets.
 
     reach : float
-        Largest gap or overlap up to which faces belong together (length): as it was given, or its default.
+        Largest gap or overlap up to which faces belong together (length): as given, or its default.
 
     Examples
     --------
@@ -55,11 +55,11 @@ class TieNodes:
     partner : ndarray of int, (m,)
         The body that it is tied to.
     area : ndarray, (m,)
-        Area that the node stands for.
+        Tributary area of the node.
     traction : ndarray, (m, dim)
         Traction on its body (force per area).
     jump : ndarray, (m, dim)
-        Mean of how far its body has moved away from the other one (length).
+        Mean separation of its body from the other one (length).
 
     Examples
     --------

@@ -92,7 +92,7 @@ class Wear:
         LengthError
             If the shape is not (rows, 4).
         IndexOutOfRangeError
-            If a row names a facet that does not exist, a node that does not move it, or both twice, or is no such row.
+            If a row names a facet that does not exist, a node that does not move it, or both twice, or is invalid.
         NotPositiveError
             If a depth or volume is negative or not finite. The old state is then kept.
         UnsupportedError
@@ -115,13 +115,13 @@ class Wear:
             self._core.handle.call(library.fmc_context_set_worn_facets, values, values.size)
 
     def set_cycles(self, cycles: float) -> None:
-        """Has the wear of a step count so many times from now on, 1 at first: a step then stands for so many cycles.
+        """Sets how many cycles each later step represents, 1 at first: the wear of a step is multiplied by this number.
 
         Parameters
         ----------
         cycles : float
-            How many. Surfaces do not change within a step: an evaluation warns if a step, with all of its cycles, wears off more than
-            the sides penetrate.
+            Their number. Surfaces do not change within a step: an evaluation warns if a step, with all of its cycles, wears off more than the
+            sides penetrate.
 
         Raises
         ------

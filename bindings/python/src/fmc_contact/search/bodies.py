@@ -64,7 +64,7 @@ class Bodies(Host):
         return residual, float(rest[0]) if rest else None
 
     def _elsewhere(self, x: np.ndarray) -> np.ndarray:
-        """The residual at a state that the search has not asked for."""
+        """The residual at a state that the search did not request."""
         self._last = None
         return np.array(self.host(x.reshape(self.shape))[0], np.float64).ravel()
 

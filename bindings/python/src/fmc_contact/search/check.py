@@ -16,7 +16,7 @@ from .unknowns import Moved
 
 
 def check_host(residual_and_tangent: Union[Residual, Host], contact: Any, x: ArrayLike, free: ArrayLike) -> list[str]:
-    """Sentences on a host's residual and matrix: a derivative that is none, a wrong sign, springs to the ground, loose bodies.
+    """Sentences on a host's residual and matrix: a wrong derivative, a wrong sign, springs to the ground, loose bodies.
 
     Arguments as for ``find_equilibrium``. It does not solve. A sentence about a certain fault begins with a word and ``WRONG``.
 

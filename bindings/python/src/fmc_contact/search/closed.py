@@ -66,7 +66,7 @@ class Place:
 
 @contextmanager
 def multipliers_put_back(contact: Contact) -> Iterator[None]:
-    """Whatever is done within, the contact ends with the multipliers that it has."""
+    """Afterwards the contact has its present multipliers again."""
     kept = contact.multipliers.values
     try:
         yield

@@ -99,7 +99,7 @@ def find_equilibrium(
     Raises
     ------
     NoSupportError
-        If nothing stops a body. It names the body and its direction.
+        If neither supports nor contact stop a body. It names the body and its direction.
     NotConvergedError
         If no equilibrium was found. Friction and multipliers of the contact are then restored. The message points out if the function seems to take
         displacements where ``x`` are coordinates, or the other way round.

@@ -33,9 +33,9 @@ class HistoryStart:
     coords : ndarray, (n, dim)
         By the coordinates at which the first step began, where slip is counted from.
     positions : ndarray, (m, dim)
-        By the positions of the obstacles then; zeros unless asked for.
+        By the positions of the obstacles then; zeros unless requested.
     rotations : ndarray, (m, 3)
-        By rotation vectors of the obstacles then; zeros unless asked for.
+        By rotation vectors of the obstacles then; zeros unless requested.
     slip : ndarray, (rows, 8)
         By the elastic slip that was carried into the first step, in rows as ``Gradients.slip`` has them.
 
@@ -76,7 +76,7 @@ class History:
     kept : int
         Most states that were kept at once.
     solved : int
-        How often a step was solved.
+        Number of solved steps, repetitions included.
     start : HistoryStart or None
         Derivatives by how the history began, once ``backward`` is through.
 
@@ -146,7 +146,7 @@ class History:
         self._keep(self.count, here)
 
     def backward(self, seed: Seed, by: Iterable[str] = ()) -> Iterator[StepAdjoint]:
-        """Goes back from the last step to the first. The contact is then as ``forward`` has left it.
+        """Runs backwards from the last step to the first. The contact is then as ``forward`` has left it.
 
         Parameters
         ----------

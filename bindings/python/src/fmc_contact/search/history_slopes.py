@@ -45,7 +45,7 @@ class StepSlopes:
         self.scale = float(abs(self.tangent).max()) if self.tangent.nnz else 1.0
 
     def _begin(self, coords: np.ndarray, start: list[Optional[Pose]], end: list[Optional[Pose]]) -> None:
-        """Begins the step at coordinates and poses, and goes on to where obstacles end."""
+        """Begins the step at coordinates and poses, and moves obstacles to the end."""
         contact, has_moved = self.contact, start is not end
         if has_moved:
             set_poses(contact, start)

@@ -1,4 +1,4 @@
-"""One step of a history with friction, and how a derivative goes back through it.
+"""One step of a history with friction, and the reverse derivative through it.
 
 With the start x₀ of the step and the elastic slip e carried into it, contact has the forces F(x, x₀, e) and carries the slip
 s(x, x₀, e) on. At the equilibrium R(x) = F. Let J have the derivatives r by x, a by F and b by s; some of them are of later steps:
@@ -52,7 +52,7 @@ class Begun:
 
 @dataclass(frozen=True, eq=False)
 class Handed:
-    """Derivatives of J by how a step began, which it hands to the step before: coordinates, positions and rotations, rows of slip."""
+    """Derivatives of J by the start of a step, which it passes to the step before: coordinates, positions and rotations, rows of slip."""
 
     coords: np.ndarray
     positions: np.ndarray
@@ -84,8 +84,7 @@ class StepAdjoint:
     prescribed : ndarray
         By the values of held unknowns at the end of the step; zero where unknowns are free.
     gradients : Gradients
-        By ``positions`` and ``rotations`` at the end of the step, and by ``stiffness`` and ``friction`` of the pairs in this step; as
-        asked for.
+        By ``positions`` and ``rotations`` at the end of the step, and by ``stiffness`` and ``friction`` of the pairs in this step; as requested.
     warnings : list of str
         Where J may have no derivative.
 

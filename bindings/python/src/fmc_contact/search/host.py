@@ -13,9 +13,9 @@ from ..ranks import Communicator
 class Refused(Exception):
     """A request of a search cannot be answered: raised by the bodies, with the reason.
 
-    A function that is given to ``find_equilibrium`` raises it for a state that its bodies cannot have, such as one with an inverted
-    cell. The search then makes a shorter step. Any other exception ends the search and reaches the caller, but for errors of this
-    package, which are taken for refusals too.
+    A function that is given to ``find_equilibrium`` raises it for a state that its bodies cannot have, such as one with an inverted cell. The
+    search then makes a shorter step. Any other exception ends the search and reaches the caller, except errors of this package, which count as
+    refusals too.
 
     Examples
     --------
@@ -41,7 +41,8 @@ class Host(ABC):
 
     @abstractmethod
     def forces(self, x: np.ndarray, matrix: bool) -> tuple[np.ndarray, Optional[float]]:
-        """Internal less external forces without contact, and an energy or ``None``. With ``matrix`` their derivative is asked for next."""
+        """Internal less external forces without contact, and an energy or ``None``. With ``matrix`` the search requests their derivative
+        next."""
 
     @abstractmethod
     def product(self, vector: np.ndarray, magnitudes: bool) -> np.ndarray:

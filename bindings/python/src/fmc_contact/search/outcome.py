@@ -24,9 +24,9 @@ class NotConvergedError(FmcError, RuntimeError):
 
 
 class NoSupportError(NotConvergedError):
-    """Nothing stops a body: neither contact nor the supports of the host.
+    """A body is unsupported: neither contact nor the supports of the host stop it.
 
-    ``body`` is its id, ``direction`` the unit vector along which it goes, zeros where it turns, and ``is_rotation`` whether it does.
+    ``body`` is its id, ``direction`` the unit vector along which it moves, zeros for a rotation, and ``is_rotation`` whether it rotates.
     """
 
     body: int = -1
@@ -53,7 +53,7 @@ class Equilibrium:
     way : str
         How it was found: ``"condensed"``, ``"nearest"`` or ``"downhill"``. See ``find_equilibrium``.
     rigid_steps : int
-        Rigid steps in which bodies that nothing holds came to rest on others.
+        Rigid steps in which unsupported bodies came to rest on others.
     parts : int
         Parts in which the load step was made.
     contact_iterations : int

@@ -79,7 +79,7 @@ class Search:
         weakref.finalize(self, _free, self.pointer).atexit = False
 
     def run(self) -> None:
-        """Answers until the search has ended. If the host ends it by an error, the contact is as it was before."""
+        """Answers until the search has ended. If the host ends it by an error, the contact is restored."""
         try:
             self._answer()
         except BaseException:
