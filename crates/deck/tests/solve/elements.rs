@@ -106,7 +106,7 @@ fn what_plates_and_wedges_cannot_be_is_refused() {
     for (rows, expected) in [
         (
             "*ELEMENT, TYPE=R3D4, ELSET=R\n9001, 1, 2, 4, 3\n",
-            "element 9001 is a shell beside solids, which is not supported: a tool",
+            "element 9001 is a shell in a mesh with solids, which is not supported: a tool",
         ),
         (
             "*ELEMENT, TYPE=R2D2, ELSET=R\n9001, 1, 2\n",
