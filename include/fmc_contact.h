@@ -62,7 +62,7 @@ int32_t fmc_has_feature(const char *name);
 // Result of a call. 0 is success. Every cause of failure has a separate code. `fmc_last_error` returns a text with the
 // offending indices and values.
 //
-// After any error the outputs are untouched and the context is as it was before the call. Codes are never reused.
+// An error leaves the outputs and the context unchanged. Codes are never reused.
 typedef enum {
   // Success.
   FMC_OK = 0,
@@ -104,7 +104,7 @@ typedef enum {
   FMC_ERROR_NOT_POSITIVE = 18,
   // No option of this name.
   FMC_ERROR_UNKNOWN_OPTION = 19,
-  // A struct was not initialised by its `_init` function, or comes from a header that this library does not know.
+  // A struct was not initialised by its `_init` function, or comes from an unknown version of the header.
   FMC_ERROR_STRUCT_SIZE = 20,
   // A position or scale is not finite, a scale not positive, or a rotation not orthonormal with determinant +1.
   FMC_ERROR_BAD_POSE = 21,
@@ -140,7 +140,7 @@ typedef enum {
   FMC_ERROR_BODY_OUT_OF_RANGE = 36,
   // The obstacle of this index was removed.
   FMC_ERROR_OBSTACLE_REMOVED = 37,
-  // The facets of a pair lie in so many layers that `exact` would cut them into more pieces than can be worked through.
+  // The facets of a pair lie in so many layers that `exact` would cut them into too many pieces.
   FMC_ERROR_TOO_MANY_PIECES = 38,
   // Lines along the boundary of a signed-distance obstacle would need more steps than are taken.
   FMC_ERROR_UNFINISHED_LINES = 39,
@@ -150,8 +150,8 @@ typedef enum {
   FMC_ERROR_NON_FINITE_SLIP = 41,
   // A node lies beyond the axis, with axisymmetry: its first coordinate is negative.
   FMC_ERROR_NEGATIVE_RADIUS = 42,
-  // Two cells, or two facets of a surface, do not fit: an edge, a face or a node is divided, or stands in a middle, in one
-  // of them only.
+  // Two cells, or two facets of a surface, do not conform: an edge or a face is divided, or has a node in its middle, in
+  // only one of them.
   FMC_ERROR_NON_CONFORMING = 43,
   // The stiffness of bodies and contact together is singular to rounding: a body is not held.
   FMC_ERROR_SINGULAR_STIFFNESS = 44,
@@ -347,8 +347,8 @@ typedef struct {
   // Largest shear traction, a pressure; 0, the default: no limit.
   double shear_limit;
   // Slip of a step from which on friction without memory acts in full: a speed times the time step, say. This law is smooth
-  // and carries nothing from one step to the next, so that sticking facets creep. 0, the default: friction with memory. Not
-  // together with `friction_stiffness`.
+  // and has no history, so that sticking facets creep. 0, the default: friction with memory. Not together with
+  // `friction_stiffness`.
   double memoryless_slip;
   // Static coefficient of friction, at least `friction_coefficient`, to which it falls over `weakening_slip`; 0, the default: one
   // coefficient. A facet that sticks throughout a step rests. Not together with `memoryless_slip`.
@@ -684,7 +684,7 @@ fmc_status fmc_context_set_symmetry_nodes(fmc_context *context,
 // between two bodies; 0, the default: faces are flat. Curved faces of second order are measured as curved in any case. At a larger
 // angle faces meet at an edge of the body: 30 is usual. A round body needs some 40 facets around it.
 //
-// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NOT_POSITIVE` for an angle that is negative, no number, or 90 and more,
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NOT_POSITIVE` for an angle that is negative, NaN, or at least 90,
 // `FMC_ERROR_UNSUPPORTED` for a surface without cells and for a mesh in parts; the earlier angle is then kept. Threads: one call at a
 // time on a context.
 fmc_status fmc_context_set_surface_smoothing(fmc_context *context,
@@ -697,7 +697,7 @@ fmc_status fmc_context_set_surface_smoothing(fmc_context *context,
 // ... It does not depend on the reference coordinates.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`; `FMC_ERROR_BAD_VALUE` for a facet that does not exist, naming its entry; `FMC_ERROR_UNSUPPORTED`
-// without facets and for a mesh in parts, `FMC_ERROR_BUSY`. Nothing changes then. Threads: one call at a time on a context.
+// without facets and for a mesh in parts, `FMC_ERROR_BUSY`. The context is then unchanged. Threads: one call at a time on a context.
 fmc_status fmc_context_add_surface(fmc_context *context,
                                    const size_t *facets,
                                    size_t count,
@@ -720,8 +720,8 @@ fmc_status fmc_csr_init(fmc_csr *matrix);
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_STRUCT_SIZE`, `FMC_ERROR_RESERVED_FIELD`, `FMC_ERROR_INDEX_SIZE`,
 // `FMC_ERROR_LENGTH` for another number of rows and for offsets that descend, `FMC_ERROR_INDEX_OUT_OF_RANGE` for an unknown that
-// does not exist, `FMC_ERROR_OVERFLOW` for a weight that is not finite; nothing changes then. Threads: one call at a time on a
-// context.
+// does not exist, `FMC_ERROR_OVERFLOW` for a weight that is not finite; the basis is then unchanged. Threads: one call at a time
+// on a context.
 fmc_status fmc_context_set_basis(fmc_context *context,
                                  const fmc_csr *weights,
                                  size_t unknown_count);
@@ -1084,7 +1084,7 @@ typedef struct {
   const double *reference;
   // Tributary areas of the points, without deformation, (count).
   const double *area;
-  // (count, history_count), as it was accepted last (`fmc_context_commit_step`); 0 at first.
+  // (count, history_count), as last accepted (`fmc_context_commit_step`); 0 at first.
   const double *history;
   // Number of fields (`fmc_context_set_law_fields`).
   size_t field_count;
@@ -1184,7 +1184,7 @@ typedef struct {
   const double *position;
   // Tributary areas of the facets, (count): where two bodies meet, each side has half of the area in contact.
   const double *area;
-  // (count, history_count), as it was accepted last (`fmc_context_commit_step`); 0 at the first touch.
+  // (count, history_count), as last accepted (`fmc_context_commit_step`); 0 at the first touch.
   const double *history;
   // Number of fields (`fmc_context_set_law_fields`).
   size_t field_count;
@@ -1249,8 +1249,8 @@ fmc_status fmc_pair_options_init(fmc_pair_options *options);
 // NULL they are removed.
 //
 // `a_kind` and `b_kind` are values of `fmc_partner`; `a` and `b` count bodies as `fmc_context_body_resultant` and obstacles as
-// `fmc_context_obstacle_resultant`. For a body with itself these options decide in place of the context's `self_contact` whether
-// it is evaluated against itself: `excluded` switches that off for this body, and anything else on.
+// `fmc_context_obstacle_resultant`. For a body with itself these options override the context's `self_contact`: `excluded`
+// switches self-contact of this body off, and any other options switch it on.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`; `FMC_ERROR_BODY_OUT_OF_RANGE`, `FMC_ERROR_OBSTACLE_OUT_OF_RANGE` and
 // `FMC_ERROR_OBSTACLE_REMOVED`, naming the index; `FMC_ERROR_BAD_VALUE` for an unknown kind or value, `FMC_ERROR_OPTIONS_CONFLICT` for an
@@ -1373,8 +1373,8 @@ fmc_status fmc_own_law_check(const fmc_own_law *law,
                              fmc_log_callback tell,
                              void *user);
 
-// Sets fields that laws of the host are asked with at their points, such as a temperature: `field_count` numbers for each of `row_count`
-// rows of the coordinates, all of a row together, (row_count, field_count). They stay until others are set; `field_count` 0: none.
+// Sets fields that laws of the host receive at their points, such as a temperature: `field_count` numbers for each of `row_count` rows
+// of the coordinates, all of a row together, (row_count, field_count). They stay until others are set; `field_count` 0: none.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_LENGTH` for another number of rows than coordinates have, `FMC_ERROR_NOT_POSITIVE` for a
 // number that is not finite, `FMC_ERROR_BUSY`; the old fields are then kept. Threads: one call at a time on a context.
@@ -1480,7 +1480,7 @@ typedef enum {
   // Penetrations, and with them pressures, are too small by that factor.
   FMC_WARNING_GENTLE_DISTANCE = 8,
   // With the law "depth", the distance from facets in contact to the round surfaces that they represent exceeds the penetration; the
-  // text gives both sizes. Where such surfaces conform, as a pin in its hole, pressures may be wrong by factors:
+  // text gives both sizes. Where such surfaces conform, as a pin in its hole, pressures may be several times too large or too small:
   // `fmc_context_set_surface_smoothing` measures round faces, of bodies whose facets meet at less than its angle, or take a finer mesh.
   FMC_WARNING_CURVED_FACES = 9,
   // With the law "depth", cells are so coarse that curved faces in contact, of second order or smoothed, may be wrong by more than
@@ -1703,8 +1703,8 @@ fmc_status fmc_context_tangent(fmc_context *context,
 //
 // `count` becomes their number; the arrays have room for `capacity`. All three NULL with capacity 0: only the number is returned.
 //
-// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_LENGTH` where there are more degrees of
-// freedom than the context's numbers have room for, `FMC_ERROR_BUSY`; nothing is written then. Threads: several at once on one
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_LENGTH` where there are more degrees of freedom
+// than the context's numbers have room for, `FMC_ERROR_BUSY`; no output is then written. Threads: several at once on one
 // context, as long as no call changes it.
 fmc_status fmc_context_tangent_entries(const fmc_context *context,
                                        void *rows,
@@ -1743,9 +1743,9 @@ fmc_status fmc_context_tangent_rank_one(const fmc_context *context,
 // blocks. `row_offsets` has room for `offset_capacity`, `cols` for `capacity`, and `values` for as many, or, with `FMC_CSR_BLOCKS`, for
 // `capacity * dim * dim` numbers. An array that is NULL with capacity 0 is not written: only its number is returned.
 //
-// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_UNKNOWN_FLAG`, `FMC_ERROR_BUFFER_TOO_SMALL`,
-// `FMC_ERROR_LENGTH` where a number does not fit into the context's numbers, `FMC_ERROR_BUSY`; nothing is written then. Threads:
-// several at once on one context, as long as no call changes it.
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_UNKNOWN_FLAG`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_LENGTH` where a number
+// does not fit into the context's numbers, `FMC_ERROR_BUSY`; no output is then written. Threads: several at once on one context,
+// as long as no call changes it.
 fmc_status fmc_context_tangent_csr(const fmc_context *context,
                                    uint32_t flags,
                                    void *row_offsets,
@@ -1819,18 +1819,17 @@ typedef struct {
 // Accumulated elastic slip is kept; there is none at first. With friction, the contact at `coords` is measured. A facet
 // that touches later counts its slip from its first touch.
 //
-// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_LENGTH`, `FMC_ERROR_STRIDE`, `FMC_ERROR_NON_FINITE_COORDINATE`,
-// `FMC_ERROR_BUSY`; with friction as `fmc_context_evaluate`. Nothing has changed then. Threads: one call at a time on a context.
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_LENGTH`, `FMC_ERROR_STRIDE`, `FMC_ERROR_NON_FINITE_COORDINATE`, `FMC_ERROR_BUSY`;
+// with friction as `fmc_context_evaluate`. The context is then unchanged. Threads: one call at a time on a context.
 fmc_status fmc_context_begin_step(fmc_context *context,
                                   const fmc_coords *coords);
 
 // Accepts the step that ends at `coords`: the elastic slip there is carried into the next step, which begins here.
 // Frozen friction is released. Call it with the coordinates that the host has accepted, and never within an iteration.
 //
-// Errors: `FMC_ERROR_NO_STEP` before `fmc_context_begin_step`; else as `fmc_context_evaluate`. Nothing has changed then.
-// Threads: one call at a time on a context.
-fmc_status fmc_context_commit_step(fmc_context *context,
-                                   const fmc_coords *coords);
+// Errors: `FMC_ERROR_NO_STEP` before `fmc_context_begin_step`; else as `fmc_context_evaluate`. The context is then
+// unchanged. Threads: one call at a time on a context.
+fmc_status fmc_context_commit_step(fmc_context *context, const fmc_coords *coords);
 
 // Freezes the facets on which friction acts, and their pressure, as they are at `coords`. This holds until the step is
 // committed, or until a call with `coords` NULL. Forces of friction are then minus the gradient of a convex potential, and
@@ -1855,8 +1854,8 @@ fmc_status fmc_context_keep_patches(fmc_context *context, const fmc_coords *coor
 
 // Largest time step of central differences (leapfrog) for the contact alone, from the tangent at `coords`: 2/sqrt(q).
 // Here q is an upper bound of the largest eigenvalue of M^-1 K, including terms of rank one, a few per cent above it.
-// Infinite where nothing touches. `masses` are lumped masses, one for every node of the mesh, positive where a node
-// feels contact, and infinite for nodes that the host holds. Obstacles are held.
+// Infinite without contact. `masses` are lumped masses, one for every node of the mesh, positive where a node feels
+// contact, and infinite for nodes that the host holds. Obstacles are held.
 //
 // A host whose limit without contact is h is stable with the step s, 1/s^2 = 1/h^2 + 1/step^2. The limit holds for the
 // motion linearised at `coords`. It includes neither contact that begins within a step, nor the force of the law
@@ -1917,8 +1916,8 @@ typedef struct {
 // Apply an interference fit in steps: adjust, then before each load step set a smaller part of `fmc_context_offsets` by
 // `fmc_context_set_offsets`, and none in the last. Offsets do not turn with bodies.
 //
-// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NOT_POSITIVE` for a length that is negative or no number, `FMC_ERROR_UNSUPPORTED` for a
-// mesh in parts, `FMC_ERROR_BUSY`; else as `fmc_context_gap_constraints`. Nothing has changed then. Threads: one call at a time on a
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NOT_POSITIVE` for a length that is negative or NaN, `FMC_ERROR_UNSUPPORTED` for a mesh
+// in parts, `FMC_ERROR_BUSY`; else as `fmc_context_gap_constraints`. The context is then unchanged. Threads: one call at a time on a
 // context.
 fmc_status fmc_context_adjust(fmc_context *context,
                               const fmc_coords *coords,
@@ -1931,8 +1930,8 @@ fmc_status fmc_context_adjust(fmc_context *context,
 //
 // `count` becomes their number; `offsets` has room for `capacity`. NULL with capacity 0: only the number is returned.
 //
-// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_BUSY`; nothing is written then. Threads: several at once on
-// one context, as long as no call changes it.
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_BUSY`; no output is then written. Threads: several at once
+// on one context, as long as no call changes it.
 fmc_status fmc_context_offsets(const fmc_context *context,
                                double *offsets,
                                size_t capacity,
@@ -2005,9 +2004,9 @@ typedef struct {
 // `reach`: largest distance from a partner at which gaps are measured, a length; 0: a twentieth of the bodies' extent. `tolerance`:
 // penetration and change below which nothing is updated, a length. `result` receives both as they were before the update.
 //
-// Errors: `FMC_ERROR_NOT_POSITIVE` for `reach` and `tolerance` that are negative or no number; `FMC_ERROR_UNSUPPORTED` with self-contact,
-// a law whose pressure is not a stiffness times the penetration, and a mesh in parts; else as `fmc_context_evaluate`. The multipliers are
-// then unchanged. Threads: one call at a time on a context.
+// Errors: `FMC_ERROR_NOT_POSITIVE` for `reach` and `tolerance` that are negative or NaN; `FMC_ERROR_UNSUPPORTED` with self-contact, a law
+// whose pressure is not a stiffness times the penetration, and a mesh in parts; else as `fmc_context_evaluate`. The multipliers are then
+// unchanged. Threads: one call at a time on a context.
 fmc_status fmc_context_augment(fmc_context *context,
                                const fmc_coords *coords,
                                double reach,
@@ -2018,8 +2017,8 @@ fmc_status fmc_context_augment(fmc_context *context,
 // change. Call it instead of another update if the last update reduced the penetration too little, say to more than a quarter. The
 // options of the context have the new stiffness.
 //
-// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NOT_POSITIVE`, `FMC_ERROR_BUSY`; nothing has changed then. Threads: one call at a time
-// on a context.
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NOT_POSITIVE`, `FMC_ERROR_BUSY`; the context is then unchanged. Threads: one call at a
+// time on a context.
 fmc_status fmc_context_stiffen(fmc_context *context,
                                double factor);
 
@@ -2138,7 +2137,7 @@ typedef struct {
   const char *refusal;
   // With forces: strain energy minus the work of loads, or NULL where the host does not know it.
   const double *energy;
-  // With a condensed step: 1 if K was found to be symmetric and positive definite where nothing touches.
+  // With a condensed step: 1 if K was found to be symmetric and positive definite without contact.
   int32_t definite;
   // Zero. Room for switches of later versions.
   uint32_t reserved_flags;
@@ -2262,7 +2261,7 @@ fmc_status fmc_equilibrium_abandon(fmc_context *context,
 
 // Result of an ended search.
 //
-// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NO_STEP` while it goes on, `FMC_ERROR_BUSY`. Threads: one call at a time on a search.
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NO_STEP` before its end, `FMC_ERROR_BUSY`. Threads: one call at a time on a search.
 fmc_status fmc_equilibrium_found(fmc_equilibrium *equilibrium,
                                  fmc_equilibrium_result *result);
 
@@ -2820,7 +2819,7 @@ typedef struct {
   double *slip;
   // Room in `slip`.
   size_t slip_capacity;
-  // Becomes the number of entries. With `slip` NULL and no room only the number is returned; both NULL: nothing is.
+  // Becomes the number of entries. With `slip` NULL and no room only the number is returned; both NULL: no output.
   size_t *slip_count;
   // Zero. Room for fields of later versions.
   uint64_t reserved[3];
@@ -2895,8 +2894,8 @@ fmc_status fmc_nodal_contact_init(fmc_nodal_contact *nodal);
 // their middle, because points without a node are not written.
 //
 // It measures the contact again, with the current pressure even where friction is frozen, and changes no other result of the
-// context. Errors: as `fmc_context_evaluate`, `FMC_ERROR_STRUCT_SIZE` and `FMC_ERROR_RESERVED_FIELD`; nothing is written
-// then. Threads: one call at a time on a context.
+// context. Errors: as `fmc_context_evaluate`, `FMC_ERROR_STRUCT_SIZE` and `FMC_ERROR_RESERVED_FIELD`; no output is then
+// written. Threads: one call at a time on a context.
 fmc_status fmc_context_nodal_contact(fmc_context *context,
                                      const fmc_coords *coords,
                                      const fmc_nodal_contact *nodal);
@@ -2908,8 +2907,8 @@ fmc_status fmc_context_nodal_contact(fmc_context *context,
 // `count` becomes their number; `points` has room for `capacity`. NULL with capacity 0: only the number is returned, and the next
 // call at the same coordinates does not search again.
 //
-// Errors: as `fmc_context_evaluate`, and `FMC_ERROR_BUFFER_TOO_SMALL`; nothing is written then. Threads: one call at a time on a
-// context.
+// Errors: as `fmc_context_evaluate`, and `FMC_ERROR_BUFFER_TOO_SMALL`; no output is then written. Threads: one call at a time on
+// a context.
 fmc_status fmc_context_contact_points(fmc_context *context,
                                       const fmc_coords *coords,
                                       fmc_contact_point *points,
@@ -2925,8 +2924,8 @@ fmc_status fmc_context_contact_points(fmc_context *context,
 // `count` becomes the number of rows; `rows` has room for `capacity`. NULL with capacity 0: only the number is returned, and the
 // next call at the same coordinates does not search again. The gaps are kept for `fmc_context_gap_gradient`.
 //
-// Errors: as `fmc_context_evaluate`, `FMC_ERROR_NOT_POSITIVE` for `reach`, and `FMC_ERROR_BUFFER_TOO_SMALL`; nothing is written then.
-// Threads: one call at a time on a context.
+// Errors: as `fmc_context_evaluate`, `FMC_ERROR_NOT_POSITIVE` for `reach`, and `FMC_ERROR_BUFFER_TOO_SMALL`; no output is then
+// written. Threads: one call at a time on a context.
 fmc_status fmc_context_gap_constraints(fmc_context *context,
                                        const fmc_coords *coords,
                                        double reach,
@@ -2944,7 +2943,7 @@ fmc_status fmc_context_gap_constraints(fmc_context *context,
 // number is returned.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_LENGTH` where a number does not fit into the context's
-// numbers, `FMC_ERROR_BUSY`; nothing is written then. Threads: several at once on one context, as long as no call changes it.
+// numbers, `FMC_ERROR_BUSY`; no output is then written. Threads: several at once on one context, as long as no call changes it.
 fmc_status fmc_context_gap_gradient(const fmc_context *context,
                                     void *row_offsets,
                                     size_t offset_capacity,
@@ -2988,7 +2987,7 @@ fmc_status fmc_context_tie_nodes(fmc_context *context,
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_LENGTH` where a number does not fit into the context's
 // numbers. `FMC_ERROR_UNSUPPORTED` where a tie keeps a gap, since its rows then depend on the rotation of facets, and with bodies that do
-// not separate. `FMC_ERROR_UNTIED` as `fmc_context_tie`, `FMC_ERROR_BUSY`; nothing is written then. Threads: several at once on one
+// not separate. `FMC_ERROR_UNTIED` as `fmc_context_tie`, `FMC_ERROR_BUSY`; no output is then written. Threads: several at once on one
 // context, as long as no call changes it.
 fmc_status fmc_context_tie_constraints(const fmc_context *context,
                                        void *row_offsets,
@@ -3013,7 +3012,8 @@ fmc_status fmc_context_tie_constraints(const fmc_context *context,
 // Errors: `FMC_ERROR_NULL_POINTER`; `FMC_ERROR_BAD_VALUE` for a surface that does not exist; `FMC_ERROR_UNTIED`; `FMC_ERROR_NOT_POSITIVE`
 // for a reach; `FMC_ERROR_NON_FINITE_STIFFNESS` for a period that is not finite; `FMC_ERROR_BUSY`. `FMC_ERROR_UNSUPPORTED` for a surface
 // of several bodies, for two surfaces with a common facet, for two bodies in contact whose faces coincide, and for a period along the
-// radius. The same by the law "volume", without cells, and in parts. Nothing changes then. Threads: one call at a time on a context.
+// radius. The same by the law "volume", without cells, and in parts. The context is then unchanged. Threads: one call at a time on a
+// context.
 fmc_status fmc_context_add_tie(fmc_context *context,
                                int32_t surface_a,
                                int32_t surface_b,
@@ -3076,7 +3076,7 @@ fmc_status fmc_conductance_init(fmc_conductance *conductance);
 //
 // Errors: as `fmc_context_evaluate`, except for friction; `FMC_ERROR_STRUCT_SIZE`, `FMC_ERROR_RESERVED_FIELD`; `FMC_ERROR_UNSUPPORTED` for
 // a mesh in parts; `FMC_ERROR_UNTIED` as `fmc_context_tie`. `FMC_ERROR_NOT_POSITIVE` for an entry of a field or table that is not finite,
-// a negative entry of a table, or places that do not ascend. Nothing is written then. Threads: one call at a time on a context.
+// a negative entry of a table, or places that do not ascend. No output is then written. Threads: one call at a time on a context.
 fmc_status fmc_context_flux(fmc_context *context,
                             const fmc_coords *coords,
                             const fmc_conductance *conductance,
@@ -3095,7 +3095,7 @@ fmc_status fmc_context_flux(fmc_context *context,
 // number is returned.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_LENGTH` where a number does not fit into the context's
-// numbers, `FMC_ERROR_BUSY`; nothing is written then. Threads: several at once on one context, as long as no call changes it.
+// numbers, `FMC_ERROR_BUSY`; no output is then written. Threads: several at once on one context, as long as no call changes it.
 fmc_status fmc_context_flux_matrix(const fmc_context *context,
                                    void *row_offsets,
                                    size_t offset_capacity,
@@ -3113,7 +3113,7 @@ fmc_status fmc_context_flux_matrix(const fmc_context *context,
 // has room for a number for every row of `coords`, `obstacle_heat` for every obstacle; it may be NULL.
 //
 // Errors: as `fmc_context_evaluate`; `FMC_ERROR_NOT_POSITIVE` for an effusivity that is negative or not finite; `FMC_ERROR_UNSUPPORTED`
-// for a mesh in parts. Nothing is written then. Threads: one call at a time on a context.
+// for a mesh in parts. No output is then written. Threads: one call at a time on a context.
 fmc_status fmc_context_friction_heat(fmc_context *context,
                                      const fmc_coords *coords,
                                      const double *effusivities,
@@ -3162,8 +3162,8 @@ fmc_status fmc_context_law_points(fmc_context *context,
 //
 // `count` becomes their number; `facets` has room for `capacity`. NULL with capacity 0: only the number is returned.
 //
-// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_BUSY`; nothing is written then. Threads: several at
-// once on one context, as long as no call changes it.
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_BUSY`; no output is then written. Threads: several
+// at once on one context, as long as no call changes it.
 fmc_status fmc_context_boundary_facets(const fmc_context *context,
                                        fmc_boundary_facet *facets,
                                        size_t capacity,
@@ -3184,8 +3184,8 @@ fmc_status fmc_context_boundary_facets(const fmc_context *context,
 // more than there are points, and `count` the number of entries. `row_offsets` has room for `offset_capacity`, `nodes` and
 // `weights` for `capacity`. An array that is NULL with capacity 0 is not written: only its number is returned.
 //
-// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_BUSY`; nothing is written then. Threads:
-// several at once on one context, as long as no call changes it.
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_BUSY`; no output is then written.
+// Threads: several at once on one context, as long as no call changes it.
 fmc_status fmc_context_point_weights(const fmc_context *context,
                                      void *row_offsets,
                                      size_t offset_capacity,
@@ -3217,7 +3217,7 @@ fmc_status fmc_gradients_init(fmc_gradients *gradients);
 // between bodies. By gap offset: of frictional forces; by stiffness: of these with cohesion or a shear limit, or frozen. By slip: with
 // static friction, or frozen; of the slip at the end of the step: by coordinates, poses and gap offsets. By gap offsets: of pairs other
 // than bodies with half-spaces. By the coefficient of friction: where it is 0, and with static friction, cohesion or a shear limit. By
-// rotations: with the law "fiber", and with axisymmetry. Nothing is written then. Threads: one call at a time on a context.
+// rotations: with the law "fiber", and with axisymmetry. No output is then written. Threads: one call at a time on a context.
 fmc_status fmc_context_vjp(fmc_context *context,
                            const fmc_coords *coords,
                            double energy,
@@ -3241,7 +3241,7 @@ fmc_status fmc_directions_init(fmc_directions *directions);
 //
 // Errors: as `fmc_context_vjp` with an adjoint, for all variables with a rate; `FMC_ERROR_LENGTH`, `FMC_ERROR_NON_FINITE_STIFFNESS` with
 // the place of a rate, `FMC_ERROR_STRUCT_SIZE`, `FMC_ERROR_RESERVED_FIELD`; `FMC_ERROR_INDEX_OUT_OF_RANGE` for a pair that does not exist;
-// for `slip` as `fmc_context_set_slip`. There are no rates along coordinates without deformation. Nothing is written then. Threads: one
+// for `slip` as `fmc_context_set_slip`. There are no rates along coordinates without deformation. No output is then written. Threads: one
 // call at a time on a context.
 fmc_status fmc_context_jvp(fmc_context *context,
                            const fmc_coords *coords,
@@ -3265,7 +3265,7 @@ fmc_status fmc_context_jvp(fmc_context *context,
 //
 // Errors: as `fmc_equilibrium_new` for the problem and as `fmc_context_vjp` with an adjoint; `FMC_ERROR_NON_FINITE_STIFFNESS` with the
 // place in an array. `FMC_ERROR_UNSUPPORTED` with multipliers, which the search sets if it found the stiffness or a `penetration` was
-// given; with friction; for `slip` and `slip_adjoint`. Nothing is written then. Threads: one call at a time on a context.
+// given; with friction; for `slip` and `slip_adjoint`. No output is then written. Threads: one call at a time on a context.
 fmc_status fmc_equilibrium_adjoint(fmc_context *context,
                                    const fmc_equilibrium_problem *problem,
                                    const double *by_x,
@@ -3303,8 +3303,8 @@ fmc_status fmc_context_set_pair_wear(fmc_context *context,
 // Wear coefficients of a pair, as set by `fmc_context_set_pair_wear`; zeros by default.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BODY_OUT_OF_RANGE`, `FMC_ERROR_OBSTACLE_OUT_OF_RANGE`, `FMC_ERROR_OBSTACLE_REMOVED`,
-// `FMC_ERROR_BAD_VALUE` for an unknown kind, `FMC_ERROR_UNSUPPORTED` for two obstacles, `FMC_ERROR_BUSY`; nothing is written then.
-// Threads: several at once on one context, as long as no call changes it.
+// `FMC_ERROR_BAD_VALUE` for an unknown kind, `FMC_ERROR_UNSUPPORTED` for two obstacles, `FMC_ERROR_BUSY`; no output is then
+// written. Threads: several at once on one context, as long as no call changes it.
 fmc_status fmc_context_pair_wear(const fmc_context *context,
                                  int32_t a_kind,
                                  size_t a,
@@ -3318,8 +3318,8 @@ fmc_status fmc_context_pair_wear(const fmc_context *context,
 // `count` becomes their number; `depth` has room for `capacity`. NULL with capacity 0: only the number is returned.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_NO_STEP` after `fmc_context_set_worn_facets` before
-// `fmc_context_begin_step`, `FMC_ERROR_UNSUPPORTED` for a mesh in parts, `FMC_ERROR_BUSY`; nothing is written then. Threads: several at
-// once on one context, as long as no call changes it.
+// `fmc_context_begin_step`, `FMC_ERROR_UNSUPPORTED` for a mesh in parts, `FMC_ERROR_BUSY`; no output is then written. Threads: several
+// at once on one context, as long as no call changes it.
 fmc_status fmc_context_worn_depth(const fmc_context *context,
                                   double *depth,
                                   size_t capacity,
@@ -3343,8 +3343,8 @@ fmc_status fmc_context_worn_volumes(const fmc_context *context,
 //
 // `count` becomes their number; `worn` has room for `capacity`. NULL with capacity 0: only the number is returned.
 //
-// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_BUSY`; nothing is written then. Threads: several at once on
-// one context, as long as no call changes it.
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_BUSY`; no output is then written. Threads: several at once
+// on one context, as long as no call changes it.
 fmc_status fmc_context_worn_facets(const fmc_context *context,
                                    double *worn,
                                    size_t capacity,
@@ -3384,8 +3384,8 @@ fmc_status fmc_context_set_wear_cycles(fmc_context *context,
 //
 // `count` becomes their number; `slip` has room for `capacity`. NULL with capacity 0: only the number is returned.
 //
-// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NO_STEP`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_BUSY`; nothing is written then.
-// Threads: several at once on one context, as long as no call changes it.
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NO_STEP`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_BUSY`; no output is then
+// written. Threads: several at once on one context, as long as no call changes it.
 fmc_status fmc_context_slip(const fmc_context *context,
                             double *slip,
                             size_t capacity,
@@ -3407,8 +3407,8 @@ fmc_status fmc_context_set_slip(fmc_context *context,
 //
 // `count` becomes their number; `history` has room for `capacity`. NULL with capacity 0: only the number is returned.
 //
-// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_NO_STEP`, `FMC_ERROR_BUSY`; nothing is written then. Threads:
-// several at once on one context, as long as no call changes it.
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_NO_STEP`, `FMC_ERROR_BUSY`; no output is then written.
+// Threads: several at once on one context, as long as no call changes it.
 fmc_status fmc_context_friction_history(const fmc_context *context,
                                         double *history,
                                         size_t capacity,
@@ -3429,8 +3429,8 @@ fmc_status fmc_context_set_friction_history(fmc_context *context,
 //
 // `count` becomes their number; `damage` has room for `capacity`. NULL with capacity 0: only the number is returned.
 //
-// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_UNTIED` as `fmc_context_cohesive`, `FMC_ERROR_BUSY`; nothing
-// is written then. Threads: several at once on one context, as long as no call changes it.
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_UNTIED` as `fmc_context_cohesive`, `FMC_ERROR_BUSY`; no
+// output is then written. Threads: several at once on one context, as long as no call changes it.
 fmc_status fmc_context_damage(const fmc_context *context,
                               double *damage,
                               size_t capacity,
@@ -3452,8 +3452,8 @@ fmc_status fmc_context_set_damage(fmc_context *context,
 //
 // `count` becomes their number; `history` has room for `capacity`. NULL with capacity 0: only the number is returned.
 //
-// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_UNTIED` as `fmc_context_cohesive`, `FMC_ERROR_BUSY`; nothing
-// is written then. Threads: several at once on one context, as long as no call changes it.
+// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_UNTIED` as `fmc_context_cohesive`, `FMC_ERROR_BUSY`; no
+// output is then written. Threads: several at once on one context, as long as no call changes it.
 fmc_status fmc_context_cohesive_history(const fmc_context *context,
                                         double *history,
                                         size_t capacity,
@@ -3481,7 +3481,7 @@ fmc_status fmc_context_set_time_step(fmc_context *context,
 // `count` becomes their number; `history` has room for `capacity`. NULL with capacity 0: only the number is returned.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_UNTIED` as `fmc_context_law_points`, `FMC_ERROR_BUSY`;
-// nothing is written then. Threads: several at once on one context, as long as no call changes it.
+// no output is then written. Threads: several at once on one context, as long as no call changes it.
 fmc_status fmc_context_law_history(const fmc_context *context,
                                    double *history,
                                    size_t capacity,
@@ -3515,8 +3515,8 @@ fmc_status fmc_context_set_multipliers(fmc_context *context,
 // ---- Ranks, and a mesh in parts --------------------------------------------------------------------------
 
 // Sends bytes to all ranks, this one too, and receives theirs: rank r sends `counts[r]` bytes, and `received` gets the bytes
-// of all ranks, one after the other. `user` is the pointer given with the function. MPI_Allgatherv is such a function;
-// `fmc_mpi.h` has it.
+// of all ranks, one after the other. `user` is the pointer given with the function. `fmc_mpi.h` implements it by
+// MPI_Allgatherv.
 //
 // Return 0; any other value makes the evaluation fail with `FMC_ERROR_COMMUNICATION`. It is called on the thread that evaluates,
 // in the same order on all ranks. It must not call a function of the same context, throw, or jump out.
@@ -3524,7 +3524,7 @@ typedef int32_t (*fmc_all_gather)(void *user, const void *send, const uint64_t *
 
 // Sends bytes to every rank, this one too, and receives their bytes for this rank: `send` has `send_counts[r]` bytes for rank r, one
 // rank after the other, and `received` gets `received_counts[r]` of rank r. `user` is the pointer given with the function.
-// MPI_Alltoallv is such a function; `fmc_mpi.h` has it.
+// `fmc_mpi.h` implements it by MPI_Alltoallv.
 //
 // Return 0; any other value makes the call of the library fail with `FMC_ERROR_COMMUNICATION`. The rules of `fmc_all_gather` apply.
 typedef int32_t (*fmc_all_to_all)(void *user,
@@ -3680,7 +3680,7 @@ fmc_status fmc_mesh_part_init(fmc_mesh_part *part);
 // reference, a basis, and another communicator are refused. It begins at the coordinates of the part.
 //
 // Errors: as `fmc_context_new_from_cells` and `fmc_context_set_communicator`, naming own nodes and cells; `FMC_ERROR_ON_OTHER_RANK`
-// where it failed on another rank. Threads: any, also at once.
+// if it failed on another rank. Threads: any, also at once.
 fmc_status fmc_context_new_from_part(int32_t dim,
                                      const fmc_communicator *communicator,
                                      const fmc_mesh_part *part,

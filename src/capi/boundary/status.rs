@@ -6,7 +6,7 @@ use std::ffi::{CStr, c_char};
 /// Result of a call. 0 is success. Every cause of failure has a separate code. `fmc_last_error` returns a text with the
 /// offending indices and values.
 ///
-/// After any error the outputs are untouched and the context is as it was before the call. Codes are never reused.
+/// An error leaves the outputs and the context unchanged. Codes are never reused.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum fmc_status {
@@ -50,7 +50,7 @@ pub enum fmc_status {
     FMC_ERROR_NOT_POSITIVE = 18,
     /// No option of this name.
     FMC_ERROR_UNKNOWN_OPTION = 19,
-    /// A struct was not initialised by its `_init` function, or comes from a header that this library does not know.
+    /// A struct was not initialised by its `_init` function, or comes from an unknown version of the header.
     FMC_ERROR_STRUCT_SIZE = 20,
     /// A position or scale is not finite, a scale not positive, or a rotation not orthonormal with determinant +1.
     FMC_ERROR_BAD_POSE = 21,
@@ -86,7 +86,7 @@ pub enum fmc_status {
     FMC_ERROR_BODY_OUT_OF_RANGE = 36,
     /// The obstacle of this index was removed.
     FMC_ERROR_OBSTACLE_REMOVED = 37,
-    /// The facets of a pair lie in so many layers that `exact` would cut them into more pieces than can be worked through.
+    /// The facets of a pair lie in so many layers that `exact` would cut them into too many pieces.
     FMC_ERROR_TOO_MANY_PIECES = 38,
     /// Lines along the boundary of a signed-distance obstacle would need more steps than are taken.
     FMC_ERROR_UNFINISHED_LINES = 39,
@@ -96,8 +96,8 @@ pub enum fmc_status {
     FMC_ERROR_NON_FINITE_SLIP = 41,
     /// A node lies beyond the axis, with axisymmetry: its first coordinate is negative.
     FMC_ERROR_NEGATIVE_RADIUS = 42,
-    /// Two cells, or two facets of a surface, do not fit: an edge, a face or a node is divided, or stands in a middle, in one
-    /// of them only.
+    /// Two cells, or two facets of a surface, do not conform: an edge or a face is divided, or has a node in its middle, in
+    /// only one of them.
     FMC_ERROR_NON_CONFORMING = 43,
     /// The stiffness of bodies and contact together is singular to rounding: a body is not held.
     FMC_ERROR_SINGULAR_STIFFNESS = 44,

@@ -260,7 +260,7 @@ pub struct fmc_equilibrium_answer {
     pub refusal: *const c_char,
     /// With forces: strain energy minus the work of loads, or NULL where the host does not know it.
     pub energy: *const f64,
-    /// With a condensed step: 1 if K was found to be symmetric and positive definite where nothing touches.
+    /// With a condensed step: 1 if K was found to be symmetric and positive definite without contact.
     pub definite: i32,
     /// Zero. Room for switches of later versions.
     pub reserved_flags: u32,

@@ -52,7 +52,7 @@ pub struct fmc_friction_facets {
     pub position: *const f64,
     /// Tributary areas of the facets, (count): where two bodies meet, each side has half of the area in contact.
     pub area: *const f64,
-    /// (count, history_count), as it was accepted last (`fmc_context_commit_step`); 0 at the first touch.
+    /// (count, history_count), as last accepted (`fmc_context_commit_step`); 0 at the first touch.
     pub history: *const f64,
     /// Number of fields (`fmc_context_set_law_fields`).
     pub field_count: usize,

@@ -47,7 +47,7 @@ pub struct fmc_gradients {
     pub slip: *mut f64,
     /// Room in `slip`.
     pub slip_capacity: usize,
-    /// Becomes the number of entries. With `slip` NULL and no room only the number is returned; both NULL: nothing is.
+    /// Becomes the number of entries. With `slip` NULL and no room only the number is returned; both NULL: no output.
     pub slip_count: *mut usize,
     /// Zero. Room for fields of later versions.
     pub reserved: [u64; 3],

@@ -100,8 +100,8 @@ pub struct fmc_options {
     /// Largest shear traction, a pressure; 0, the default: no limit.
     pub shear_limit: f64,
     /// Slip of a step from which on friction without memory acts in full: a speed times the time step, say. This law is smooth
-    /// and carries nothing from one step to the next, so that sticking facets creep. 0, the default: friction with memory. Not
-    /// together with `friction_stiffness`.
+    /// and has no history, so that sticking facets creep. 0, the default: friction with memory. Not together with
+    /// `friction_stiffness`.
     pub memoryless_slip: f64,
     /// Static coefficient of friction, at least `friction_coefficient`, to which it falls over `weakening_slip`; 0, the default: one
     /// coefficient. A facet that sticks throughout a step rests. Not together with `memoryless_slip`.

@@ -40,7 +40,7 @@ pub struct fmc_law_points {
     pub reference: *const f64,
     /// Tributary areas of the points, without deformation, (count).
     pub area: *const f64,
-    /// (count, history_count), as it was accepted last (`fmc_context_commit_step`); 0 at first.
+    /// (count, history_count), as last accepted (`fmc_context_commit_step`); 0 at first.
     pub history: *const f64,
     /// Number of fields (`fmc_context_set_law_fields`).
     pub field_count: usize,

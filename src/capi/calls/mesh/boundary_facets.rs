@@ -11,8 +11,8 @@ use crate::capi::structs::boundary_facet::fmc_boundary_facet;
 ///
 /// `count` becomes their number; `facets` has room for `capacity`. NULL with capacity 0: only the number is returned.
 ///
-/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_BUSY`; nothing is written then. Threads: several at
-/// once on one context, as long as no call changes it.
+/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_BUSY`; no output is then written. Threads: several
+/// at once on one context, as long as no call changes it.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_boundary_facets(
     context: *const fmc_context,

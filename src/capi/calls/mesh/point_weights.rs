@@ -22,8 +22,8 @@ use std::ffi::c_void;
 /// more than there are points, and `count` the number of entries. `row_offsets` has room for `offset_capacity`, `nodes` and
 /// `weights` for `capacity`. An array that is NULL with capacity 0 is not written: only its number is returned.
 ///
-/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_BUSY`; nothing is written then. Threads:
-/// several at once on one context, as long as no call changes it.
+/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_BUSY`; no output is then written.
+/// Threads: several at once on one context, as long as no call changes it.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_point_weights(
     context: *const fmc_context,

@@ -13,7 +13,7 @@ use crate::capi::context::state::{fmc_context, write};
 /// ... It does not depend on the reference coordinates.
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`; `FMC_ERROR_BAD_VALUE` for a facet that does not exist, naming its entry; `FMC_ERROR_UNSUPPORTED`
-/// without facets and for a mesh in parts, `FMC_ERROR_BUSY`. Nothing changes then. Threads: one call at a time on a context.
+/// without facets and for a mesh in parts, `FMC_ERROR_BUSY`. The context is then unchanged. Threads: one call at a time on a context.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_add_surface(
     context: *mut fmc_context,

@@ -23,7 +23,8 @@ use crate::capi::structs::view::fmc_coords;
 /// Errors: `FMC_ERROR_NULL_POINTER`; `FMC_ERROR_BAD_VALUE` for a surface that does not exist; `FMC_ERROR_UNTIED`; `FMC_ERROR_NOT_POSITIVE`
 /// for a reach; `FMC_ERROR_NON_FINITE_STIFFNESS` for a period that is not finite; `FMC_ERROR_BUSY`. `FMC_ERROR_UNSUPPORTED` for a surface
 /// of several bodies, for two surfaces with a common facet, for two bodies in contact whose faces coincide, and for a period along the
-/// radius. The same by the law "volume", without cells, and in parts. Nothing changes then. Threads: one call at a time on a context.
+/// radius. The same by the law "volume", without cells, and in parts. The context is then unchanged. Threads: one call at a time on a
+/// context.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_add_tie(
     context: *mut fmc_context,

@@ -89,8 +89,8 @@ pub(super) unsafe fn tell_report(
     }
 }
 
-/// Sets fields that laws of the host are asked with at their points, such as a temperature: `field_count` numbers for each of `row_count`
-/// rows of the coordinates, all of a row together, (row_count, field_count). They stay until others are set; `field_count` 0: none.
+/// Sets fields that laws of the host receive at their points, such as a temperature: `field_count` numbers for each of `row_count` rows
+/// of the coordinates, all of a row together, (row_count, field_count). They stay until others are set; `field_count` 0: none.
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_LENGTH` for another number of rows than coordinates have, `FMC_ERROR_NOT_POSITIVE` for a
 /// number that is not finite, `FMC_ERROR_BUSY`; the old fields are then kept. Threads: one call at a time on a context.

@@ -137,8 +137,8 @@ pub unsafe extern "C" fn fmc_pair_options_init(options: *mut fmc_pair_options) -
 /// NULL they are removed.
 ///
 /// `a_kind` and `b_kind` are values of `fmc_partner`; `a` and `b` count bodies as `fmc_context_body_resultant` and obstacles as
-/// `fmc_context_obstacle_resultant`. For a body with itself these options decide in place of the context's `self_contact` whether
-/// it is evaluated against itself: `excluded` switches that off for this body, and anything else on.
+/// `fmc_context_obstacle_resultant`. For a body with itself these options override the context's `self_contact`: `excluded`
+/// switches self-contact of this body off, and any other options switch it on.
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`; `FMC_ERROR_BODY_OUT_OF_RANGE`, `FMC_ERROR_OBSTACLE_OUT_OF_RANGE` and
 /// `FMC_ERROR_OBSTACLE_REMOVED`, naming the index; `FMC_ERROR_BAD_VALUE` for an unknown kind or value, `FMC_ERROR_OPTIONS_CONFLICT` for an

@@ -12,8 +12,8 @@ use crate::{AllToAll, Communicator, Error};
 use std::ffi::c_void;
 
 /// Sends bytes to all ranks, this one too, and receives theirs: rank r sends `counts[r]` bytes, and `received` gets the bytes
-/// of all ranks, one after the other. `user` is the pointer given with the function. MPI_Allgatherv is such a function;
-/// `fmc_mpi.h` has it.
+/// of all ranks, one after the other. `user` is the pointer given with the function. `fmc_mpi.h` implements it by
+/// MPI_Allgatherv.
 ///
 /// Return 0; any other value makes the evaluation fail with `FMC_ERROR_COMMUNICATION`. It is called on the thread that evaluates,
 /// in the same order on all ranks. It must not call a function of the same context, throw, or jump out.
@@ -23,7 +23,7 @@ pub type fmc_all_gather = Option<
 
 /// Sends bytes to every rank, this one too, and receives their bytes for this rank: `send` has `send_counts[r]` bytes for rank r, one
 /// rank after the other, and `received` gets `received_counts[r]` of rank r. `user` is the pointer given with the function.
-/// MPI_Alltoallv is such a function; `fmc_mpi.h` has it.
+/// `fmc_mpi.h` implements it by MPI_Alltoallv.
 ///
 /// Return 0; any other value makes the call of the library fail with `FMC_ERROR_COMMUNICATION`. The rules of `fmc_all_gather` apply.
 pub type fmc_all_to_all = Option<

@@ -92,7 +92,7 @@ pub unsafe extern "C" fn fmc_mesh_part_init(part: *mut fmc_mesh_part) -> fmc_sta
 /// reference, a basis, and another communicator are refused. It begins at the coordinates of the part.
 ///
 /// Errors: as `fmc_context_new_from_cells` and `fmc_context_set_communicator`, naming own nodes and cells; `FMC_ERROR_ON_OTHER_RANK`
-/// where it failed on another rank. Threads: any, also at once.
+/// if it failed on another rank. Threads: any, also at once.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_new_from_part(
     dim: i32,

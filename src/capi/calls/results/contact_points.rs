@@ -15,8 +15,8 @@ use crate::capi::structs::view::fmc_coords;
 /// `count` becomes their number; `points` has room for `capacity`. NULL with capacity 0: only the number is returned, and the next
 /// call at the same coordinates does not search again.
 ///
-/// Errors: as `fmc_context_evaluate`, and `FMC_ERROR_BUFFER_TOO_SMALL`; nothing is written then. Threads: one call at a time on a
-/// context.
+/// Errors: as `fmc_context_evaluate`, and `FMC_ERROR_BUFFER_TOO_SMALL`; no output is then written. Threads: one call at a time on
+/// a context.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_contact_points(
     context: *mut fmc_context,

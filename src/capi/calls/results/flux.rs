@@ -36,7 +36,7 @@ pub unsafe extern "C" fn fmc_conductance_init(conductance: *mut fmc_conductance)
 ///
 /// Errors: as `fmc_context_evaluate`, except for friction; `FMC_ERROR_STRUCT_SIZE`, `FMC_ERROR_RESERVED_FIELD`; `FMC_ERROR_UNSUPPORTED` for
 /// a mesh in parts; `FMC_ERROR_UNTIED` as `fmc_context_tie`. `FMC_ERROR_NOT_POSITIVE` for an entry of a field or table that is not finite,
-/// a negative entry of a table, or places that do not ascend. Nothing is written then. Threads: one call at a time on a context.
+/// a negative entry of a table, or places that do not ascend. No output is then written. Threads: one call at a time on a context.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_flux(
     context: *mut fmc_context,
@@ -73,7 +73,7 @@ pub unsafe extern "C" fn fmc_context_flux(
 /// number is returned.
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_LENGTH` where a number does not fit into the context's
-/// numbers, `FMC_ERROR_BUSY`; nothing is written then. Threads: several at once on one context, as long as no call changes it.
+/// numbers, `FMC_ERROR_BUSY`; no output is then written. Threads: several at once on one context, as long as no call changes it.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_flux_matrix(
     context: *const fmc_context,
@@ -113,7 +113,7 @@ pub unsafe extern "C" fn fmc_context_flux_matrix(
 /// has room for a number for every row of `coords`, `obstacle_heat` for every obstacle; it may be NULL.
 ///
 /// Errors: as `fmc_context_evaluate`; `FMC_ERROR_NOT_POSITIVE` for an effusivity that is negative or not finite; `FMC_ERROR_UNSUPPORTED`
-/// for a mesh in parts. Nothing is written then. Threads: one call at a time on a context.
+/// for a mesh in parts. No output is then written. Threads: one call at a time on a context.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_friction_heat(
     context: *mut fmc_context,

@@ -18,8 +18,8 @@ use std::ffi::c_void;
 /// `count` becomes the number of rows; `rows` has room for `capacity`. NULL with capacity 0: only the number is returned, and the
 /// next call at the same coordinates does not search again. The gaps are kept for `fmc_context_gap_gradient`.
 ///
-/// Errors: as `fmc_context_evaluate`, `FMC_ERROR_NOT_POSITIVE` for `reach`, and `FMC_ERROR_BUFFER_TOO_SMALL`; nothing is written then.
-/// Threads: one call at a time on a context.
+/// Errors: as `fmc_context_evaluate`, `FMC_ERROR_NOT_POSITIVE` for `reach`, and `FMC_ERROR_BUFFER_TOO_SMALL`; no output is then
+/// written. Threads: one call at a time on a context.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_gap_constraints(
     context: *mut fmc_context,
@@ -51,7 +51,7 @@ pub unsafe extern "C" fn fmc_context_gap_constraints(
 /// number is returned.
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_LENGTH` where a number does not fit into the context's
-/// numbers, `FMC_ERROR_BUSY`; nothing is written then. Threads: several at once on one context, as long as no call changes it.
+/// numbers, `FMC_ERROR_BUSY`; no output is then written. Threads: several at once on one context, as long as no call changes it.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_gap_gradient(
     context: *const fmc_context,

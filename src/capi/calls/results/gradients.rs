@@ -40,7 +40,7 @@ pub unsafe extern "C" fn fmc_gradients_init(gradients: *mut fmc_gradients) -> fm
 /// between bodies. By gap offset: of frictional forces; by stiffness: of these with cohesion or a shear limit, or frozen. By slip: with
 /// static friction, or frozen; of the slip at the end of the step: by coordinates, poses and gap offsets. By gap offsets: of pairs other
 /// than bodies with half-spaces. By the coefficient of friction: where it is 0, and with static friction, cohesion or a shear limit. By
-/// rotations: with the law "fiber", and with axisymmetry. Nothing is written then. Threads: one call at a time on a context.
+/// rotations: with the law "fiber", and with axisymmetry. No output is then written. Threads: one call at a time on a context.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_vjp(
     context: *mut fmc_context,
@@ -101,7 +101,7 @@ pub unsafe extern "C" fn fmc_directions_init(directions: *mut fmc_directions) ->
 ///
 /// Errors: as `fmc_context_vjp` with an adjoint, for all variables with a rate; `FMC_ERROR_LENGTH`, `FMC_ERROR_NON_FINITE_STIFFNESS` with
 /// the place of a rate, `FMC_ERROR_STRUCT_SIZE`, `FMC_ERROR_RESERVED_FIELD`; `FMC_ERROR_INDEX_OUT_OF_RANGE` for a pair that does not exist;
-/// for `slip` as `fmc_context_set_slip`. There are no rates along coordinates without deformation. Nothing is written then. Threads: one
+/// for `slip` as `fmc_context_set_slip`. There are no rates along coordinates without deformation. No output is then written. Threads: one
 /// call at a time on a context.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_jvp(

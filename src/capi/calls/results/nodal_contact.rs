@@ -30,8 +30,8 @@ pub unsafe extern "C" fn fmc_nodal_contact_init(nodal: *mut fmc_nodal_contact) -
 /// their middle, because points without a node are not written.
 ///
 /// It measures the contact again, with the current pressure even where friction is frozen, and changes no other result of the
-/// context. Errors: as `fmc_context_evaluate`, `FMC_ERROR_STRUCT_SIZE` and `FMC_ERROR_RESERVED_FIELD`; nothing is written
-/// then. Threads: one call at a time on a context.
+/// context. Errors: as `fmc_context_evaluate`, `FMC_ERROR_STRUCT_SIZE` and `FMC_ERROR_RESERVED_FIELD`; no output is then
+/// written. Threads: one call at a time on a context.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_nodal_contact(
     context: *mut fmc_context,

@@ -71,7 +71,7 @@ pub unsafe extern "C" fn fmc_context_tie_nodes(
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_LENGTH` where a number does not fit into the context's
 /// numbers. `FMC_ERROR_UNSUPPORTED` where a tie keeps a gap, since its rows then depend on the rotation of facets, and with bodies that do
-/// not separate. `FMC_ERROR_UNTIED` as `fmc_context_tie`, `FMC_ERROR_BUSY`; nothing is written then. Threads: several at once on one
+/// not separate. `FMC_ERROR_UNTIED` as `fmc_context_tie`, `FMC_ERROR_BUSY`; no output is then written. Threads: several at once on one
 /// context, as long as no call changes it.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_tie_constraints(

@@ -26,7 +26,7 @@ use crate::capi::structs::gradients::{fmc_gradients, fmc_pair_gradient};
 ///
 /// Errors: as `fmc_equilibrium_new` for the problem and as `fmc_context_vjp` with an adjoint; `FMC_ERROR_NON_FINITE_STIFFNESS` with the
 /// place in an array. `FMC_ERROR_UNSUPPORTED` with multipliers, which the search sets if it found the stiffness or a `penetration` was
-/// given; with friction; for `slip` and `slip_adjoint`. Nothing is written then. Threads: one call at a time on a context.
+/// given; with friction; for `slip` and `slip_adjoint`. No output is then written. Threads: one call at a time on a context.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_equilibrium_adjoint(
     context: *mut fmc_context,

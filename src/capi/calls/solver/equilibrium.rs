@@ -164,7 +164,7 @@ pub unsafe extern "C" fn fmc_equilibrium_abandon(
 
 /// Result of an ended search.
 ///
-/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NO_STEP` while it goes on, `FMC_ERROR_BUSY`. Threads: one call at a time on a search.
+/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NO_STEP` before its end, `FMC_ERROR_BUSY`. Threads: one call at a time on a search.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_equilibrium_found(
     equilibrium: *mut fmc_equilibrium,

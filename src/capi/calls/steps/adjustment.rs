@@ -45,8 +45,8 @@ impl From<Adjustment> for fmc_adjustment {
 /// Apply an interference fit in steps: adjust, then before each load step set a smaller part of `fmc_context_offsets` by
 /// `fmc_context_set_offsets`, and none in the last. Offsets do not turn with bodies.
 ///
-/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NOT_POSITIVE` for a length that is negative or no number, `FMC_ERROR_UNSUPPORTED` for a
-/// mesh in parts, `FMC_ERROR_BUSY`; else as `fmc_context_gap_constraints`. Nothing has changed then. Threads: one call at a time on a
+/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NOT_POSITIVE` for a length that is negative or NaN, `FMC_ERROR_UNSUPPORTED` for a mesh
+/// in parts, `FMC_ERROR_BUSY`; else as `fmc_context_gap_constraints`. The context is then unchanged. Threads: one call at a time on a
 /// context.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_adjust(
@@ -75,8 +75,8 @@ pub unsafe extern "C" fn fmc_context_adjust(
 ///
 /// `count` becomes their number; `offsets` has room for `capacity`. NULL with capacity 0: only the number is returned.
 ///
-/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_BUSY`; nothing is written then. Threads: several at once on
-/// one context, as long as no call changes it.
+/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_BUSY`; no output is then written. Threads: several at once
+/// on one context, as long as no call changes it.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_offsets(
     context: *const fmc_context,

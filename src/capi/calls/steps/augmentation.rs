@@ -22,9 +22,9 @@ use crate::capi::structs::view::fmc_coords;
 /// `reach`: largest distance from a partner at which gaps are measured, a length; 0: a twentieth of the bodies' extent. `tolerance`:
 /// penetration and change below which nothing is updated, a length. `result` receives both as they were before the update.
 ///
-/// Errors: `FMC_ERROR_NOT_POSITIVE` for `reach` and `tolerance` that are negative or no number; `FMC_ERROR_UNSUPPORTED` with self-contact,
-/// a law whose pressure is not a stiffness times the penetration, and a mesh in parts; else as `fmc_context_evaluate`. The multipliers are
-/// then unchanged. Threads: one call at a time on a context.
+/// Errors: `FMC_ERROR_NOT_POSITIVE` for `reach` and `tolerance` that are negative or NaN; `FMC_ERROR_UNSUPPORTED` with self-contact, a law
+/// whose pressure is not a stiffness times the penetration, and a mesh in parts; else as `fmc_context_evaluate`. The multipliers are then
+/// unchanged. Threads: one call at a time on a context.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_augment(
     context: *mut fmc_context,
@@ -51,8 +51,8 @@ pub unsafe extern "C" fn fmc_context_augment(
 /// change. Call it instead of another update if the last update reduced the penetration too little, say to more than a quarter. The
 /// options of the context have the new stiffness.
 ///
-/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NOT_POSITIVE`, `FMC_ERROR_BUSY`; nothing has changed then. Threads: one call at a time
-/// on a context.
+/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NOT_POSITIVE`, `FMC_ERROR_BUSY`; the context is then unchanged. Threads: one call at a
+/// time on a context.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_stiffen(context: *mut fmc_context, factor: f64) -> fmc_status {
     entry(|| {

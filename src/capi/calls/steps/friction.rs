@@ -14,8 +14,8 @@ use crate::capi::structs::view::fmc_coords;
 /// Accumulated elastic slip is kept; there is none at first. With friction, the contact at `coords` is measured. A facet
 /// that touches later counts its slip from its first touch.
 ///
-/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_LENGTH`, `FMC_ERROR_STRIDE`, `FMC_ERROR_NON_FINITE_COORDINATE`,
-/// `FMC_ERROR_BUSY`; with friction as `fmc_context_evaluate`. Nothing has changed then. Threads: one call at a time on a context.
+/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_LENGTH`, `FMC_ERROR_STRIDE`, `FMC_ERROR_NON_FINITE_COORDINATE`, `FMC_ERROR_BUSY`;
+/// with friction as `fmc_context_evaluate`. The context is then unchanged. Threads: one call at a time on a context.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_begin_step(context: *mut fmc_context, coords: *const fmc_coords) -> fmc_status {
     entry(|| {
@@ -32,8 +32,8 @@ pub unsafe extern "C" fn fmc_context_begin_step(context: *mut fmc_context, coord
 /// Accepts the step that ends at `coords`: the elastic slip there is carried into the next step, which begins here.
 /// Frozen friction is released. Call it with the coordinates that the host has accepted, and never within an iteration.
 ///
-/// Errors: `FMC_ERROR_NO_STEP` before `fmc_context_begin_step`; else as `fmc_context_evaluate`. Nothing has changed then.
-/// Threads: one call at a time on a context.
+/// Errors: `FMC_ERROR_NO_STEP` before `fmc_context_begin_step`; else as `fmc_context_evaluate`. The context is then
+/// unchanged. Threads: one call at a time on a context.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_commit_step(context: *mut fmc_context, coords: *const fmc_coords) -> fmc_status {
     entry(|| {

@@ -19,8 +19,8 @@ use crate::capi::context::state::{fmc_context, read, write};
 ///
 /// `count` becomes their number; `slip` has room for `capacity`. NULL with capacity 0: only the number is returned.
 ///
-/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NO_STEP`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_BUSY`; nothing is written then.
-/// Threads: several at once on one context, as long as no call changes it.
+/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NO_STEP`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_BUSY`; no output is then
+/// written. Threads: several at once on one context, as long as no call changes it.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_slip(
     context: *const fmc_context,

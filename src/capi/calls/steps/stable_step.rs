@@ -9,8 +9,8 @@ use crate::capi::structs::view::fmc_coords;
 
 /// Largest time step of central differences (leapfrog) for the contact alone, from the tangent at `coords`: 2/sqrt(q).
 /// Here q is an upper bound of the largest eigenvalue of M^-1 K, including terms of rank one, a few per cent above it.
-/// Infinite where nothing touches. `masses` are lumped masses, one for every node of the mesh, positive where a node
-/// feels contact, and infinite for nodes that the host holds. Obstacles are held.
+/// Infinite without contact. `masses` are lumped masses, one for every node of the mesh, positive where a node feels
+/// contact, and infinite for nodes that the host holds. Obstacles are held.
 ///
 /// A host whose limit without contact is h is stable with the step s, 1/s^2 = 1/h^2 + 1/step^2. The limit holds for the
 /// motion linearised at `coords`. It includes neither contact that begins within a step, nor the force of the law

@@ -45,8 +45,8 @@ pub unsafe extern "C" fn fmc_context_set_pair_wear(
 /// Wear coefficients of a pair, as set by `fmc_context_set_pair_wear`; zeros by default.
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BODY_OUT_OF_RANGE`, `FMC_ERROR_OBSTACLE_OUT_OF_RANGE`, `FMC_ERROR_OBSTACLE_REMOVED`,
-/// `FMC_ERROR_BAD_VALUE` for an unknown kind, `FMC_ERROR_UNSUPPORTED` for two obstacles, `FMC_ERROR_BUSY`; nothing is written then.
-/// Threads: several at once on one context, as long as no call changes it.
+/// `FMC_ERROR_BAD_VALUE` for an unknown kind, `FMC_ERROR_UNSUPPORTED` for two obstacles, `FMC_ERROR_BUSY`; no output is then
+/// written. Threads: several at once on one context, as long as no call changes it.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_pair_wear(
     context: *const fmc_context,
@@ -75,8 +75,8 @@ pub unsafe extern "C" fn fmc_context_pair_wear(
 /// `count` becomes their number; `depth` has room for `capacity`. NULL with capacity 0: only the number is returned.
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_NO_STEP` after `fmc_context_set_worn_facets` before
-/// `fmc_context_begin_step`, `FMC_ERROR_UNSUPPORTED` for a mesh in parts, `FMC_ERROR_BUSY`; nothing is written then. Threads: several at
-/// once on one context, as long as no call changes it.
+/// `fmc_context_begin_step`, `FMC_ERROR_UNSUPPORTED` for a mesh in parts, `FMC_ERROR_BUSY`; no output is then written. Threads: several
+/// at once on one context, as long as no call changes it.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_worn_depth(
     context: *const fmc_context,
@@ -124,8 +124,8 @@ pub unsafe extern "C" fn fmc_context_worn_volumes(
 ///
 /// `count` becomes their number; `worn` has room for `capacity`. NULL with capacity 0: only the number is returned.
 ///
-/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_BUSY`; nothing is written then. Threads: several at once on
-/// one context, as long as no call changes it.
+/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_BUSY`; no output is then written. Threads: several at once
+/// on one context, as long as no call changes it.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_worn_facets(
     context: *const fmc_context,

@@ -82,9 +82,9 @@ impl<'a> Rows<'a> {
 /// blocks. `row_offsets` has room for `offset_capacity`, `cols` for `capacity`, and `values` for as many, or, with `FMC_CSR_BLOCKS`, for
 /// `capacity * dim * dim` numbers. An array that is NULL with capacity 0 is not written: only its number is returned.
 ///
-/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_UNKNOWN_FLAG`, `FMC_ERROR_BUFFER_TOO_SMALL`,
-/// `FMC_ERROR_LENGTH` where a number does not fit into the context's numbers, `FMC_ERROR_BUSY`; nothing is written then. Threads:
-/// several at once on one context, as long as no call changes it.
+/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_UNKNOWN_FLAG`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_LENGTH` where a number
+/// does not fit into the context's numbers, `FMC_ERROR_BUSY`; no output is then written. Threads: several at once on one context,
+/// as long as no call changes it.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_tangent_csr(
     context: *const fmc_context,

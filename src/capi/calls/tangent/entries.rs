@@ -87,8 +87,8 @@ pub unsafe extern "C" fn fmc_context_tangent(
 ///
 /// `count` becomes their number; the arrays have room for `capacity`. All three NULL with capacity 0: only the number is returned.
 ///
-/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_LENGTH` where there are more degrees of
-/// freedom than the context's numbers have room for, `FMC_ERROR_BUSY`; nothing is written then. Threads: several at once on one
+/// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BUFFER_TOO_SMALL`, `FMC_ERROR_LENGTH` where there are more degrees of freedom
+/// than the context's numbers have room for, `FMC_ERROR_BUSY`; no output is then written. Threads: several at once on one
 /// context, as long as no call changes it.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_tangent_entries(
