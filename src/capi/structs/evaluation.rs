@@ -163,8 +163,9 @@ pub enum fmc_warning {
     /// Penetrations, and with them pressures, are too small by that factor.
     FMC_WARNING_GENTLE_DISTANCE = 8,
     /// With the law "depth", the distance from facets in contact to the round surfaces that they represent exceeds the penetration; the
-    /// text gives both sizes. Where such surfaces conform, as a pin in its hole, pressures may be several times too large or too small:
-    /// `fmc_context_set_surface_smoothing` measures round faces, of bodies whose facets meet at less than its angle, or take a finer mesh.
+    /// text gives both sizes. Where such surfaces conform, as a pin in its hole, pressures may be several times too large or too small.
+    /// Take a finer mesh, or `fmc_context_set_surface_smoothing`, which measures round faces of bodies whose facets meet at less than its
+    /// angle.
     FMC_WARNING_CURVED_FACES = 9,
     /// With the law "depth", cells are so coarse that curved faces in contact, of second order or smoothed, may be wrong by more than
     /// two fifths of the penetration. Pressures at single points may be wrong by as much. The text gives both sizes. Take a finer
