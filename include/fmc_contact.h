@@ -720,7 +720,7 @@ fmc_status fmc_csr_init(fmc_csr *matrix);
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_STRUCT_SIZE`, `FMC_ERROR_RESERVED_FIELD`, `FMC_ERROR_INDEX_SIZE`,
 // `FMC_ERROR_LENGTH` for another number of rows and for offsets that descend, `FMC_ERROR_INDEX_OUT_OF_RANGE` for an unknown that
-// does not exist, `FMC_ERROR_OVERFLOW` for a weight that is not finite; the basis is then unchanged. Threads: one call at a time
+// does not exist, `FMC_ERROR_OVERFLOW` for a weight that is not finite. The basis is then unchanged. Threads: one call at a time
 // on a context.
 fmc_status fmc_context_set_basis(fmc_context *context,
                                  const fmc_csr *weights,

@@ -1,7 +1,7 @@
 # The Python package and the examples, each in an environment of its own.
 #
 # make python    the Python package, in an environment of its own under target/, and its tests
-# make python-lint   ruff over all Python, mypy --strict on the package, plain English on the pages
+# make python-lint   ruff over all Python, mypy --strict on the package, plain English in pages, headers, docstrings and messages
 # make support   docs/support.md: what the library answers for every law and feature
 # make examples  NGSolve and FElupe with contact, and the notebooks, in an environment of their own
 # make notebooks the tutorials as notebooks, run and stored with output and pictures

@@ -21,7 +21,7 @@ use crate::{Basis, Error};
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_STRUCT_SIZE`, `FMC_ERROR_RESERVED_FIELD`, `FMC_ERROR_INDEX_SIZE`,
 /// `FMC_ERROR_LENGTH` for another number of rows and for offsets that descend, `FMC_ERROR_INDEX_OUT_OF_RANGE` for an unknown that
-/// does not exist, `FMC_ERROR_OVERFLOW` for a weight that is not finite; the basis is then unchanged. Threads: one call at a time
+/// does not exist, `FMC_ERROR_OVERFLOW` for a weight that is not finite. The basis is then unchanged. Threads: one call at a time
 /// on a context.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_set_basis(
