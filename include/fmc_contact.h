@@ -1788,8 +1788,8 @@ fmc_status fmc_context_evaluate_tangent(fmc_context *context,
 // It is the second derivative of the energy, and symmetric. The moment M about the position (moment of
 // `fmc_context_obstacle_resultant` minus position x force) changes by -K dtheta + 1/2 dtheta x M as the obstacle turns by dtheta.
 // With axisymmetry obstacles do not rotate, and there are only zeros. Friction adds the terms of its tangent, unsymmetric without
-// `FMC_TANGENT_SYMMETRIC`. Where a body meets an obstacle by the law "fiber", whose lines do not turn along, the tangent is refused,
-// with `FMC_ERROR_UNSUPPORTED`.
+// `FMC_TANGENT_SYMMETRIC`. Where a body meets an obstacle by the law "fiber", whose lines do not rotate with it, the tangent returns
+// `FMC_ERROR_UNSUPPORTED`.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BAD_VALUE` for another number, `FMC_ERROR_BUSY`. Threads: one call
 // at a time on a context.
@@ -2036,8 +2036,8 @@ typedef enum {
   FMC_REQUEST_DIAGONAL = 2,
   // d with (K + `shift` diag K + T) d = `vector` in the rows of free unknowns, and d = 0 at all other unknowns.
   FMC_REQUEST_SOLVE = 3,
-  // A step from `x` to the equilibrium of the contact with bodies that are linear, by K and the forces `forces`, as
-  // `fmc_context_contact_step` finds it, while unknowns that are not free move by `vector`.
+  // A step from `x` to the equilibrium of the contact with linear bodies, from K and the forces `forces`, as
+  // `fmc_context_contact_step` finds it. Unknowns that are not free move by `vector`.
   FMC_REQUEST_CONDENSED = 4,
   // The equilibrium was found: see `fmc_equilibrium_result`.
   FMC_REQUEST_FOUND = 5,
@@ -2166,9 +2166,9 @@ typedef struct {
   const double *forces;
   // Part of the diagonal of K that is added.
   double shift;
-  // Residual that a condensed step may leave, by the forces.
+  // Residual at which a condensed step may end, relative to the forces.
   double tolerance;
-  // Residual that it may leave, a force.
+  // Residual at which it may end, a force.
   double absolute_tolerance;
   // Zero.
   uint64_t reserved[4];
@@ -2188,7 +2188,7 @@ typedef struct {
   const double *x;
   // Internal minus external minus contact forces there: at unknowns that are not free, the reactions. NULL for a refusal.
   const double *reactions;
-  // Residual by the forces, state by state.
+  // Residual relative to the forces, state by state.
   const double *residuals;
   // Their number.
   size_t residual_count;

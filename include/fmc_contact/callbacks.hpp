@@ -234,8 +234,8 @@ inline std::vector<std::string> check_friction_law(FrictionLaw law, std::size_t 
   return sentences;
 }
 
-// Sentences on your own law: whether the same question has the same answer, and whether its tangent is the derivative of its traction, at
-// jumps of this scale. A fault throws `Error`. See `fmc_own_law_check`.
+// Checks your own law, and returns a sentence for each check: whether the same input has the same answer, and whether its tangent is the
+// derivative of its traction, at jumps of this scale. A fault throws `Error`. See `fmc_own_law_check`.
 inline std::vector<std::string> check_law(InterfaceLaw law, std::size_t history_count, int dim, double scale,
                                           View<const double> jump = {}, double time_step = 0) {
   std::exception_ptr thrown;

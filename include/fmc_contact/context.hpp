@@ -12,8 +12,8 @@
 namespace fmc {
 
 // Facets, search trees and obstacles of a mesh in contact, and the results of the last evaluation. It owns an `fmc_context`, and
-// can be moved but not copied. Every method is the function `fmc_context_...` of its name, where shapes, signs, units and causes
-// of failure stand; a failure is thrown as `Error`. A call rethrows an exception of its callbacks.
+// can be moved but not copied. Every method is the function `fmc_context_...` of its name, which documents shapes, signs, units
+// and causes of failure. A failure throws `Error`. A call rethrows an exception of its callbacks.
 //
 // Threads: as in C. Const methods at once on one context, as long as no other runs; different contexts at once.
 class Context : public AddsShapes<Context> {
@@ -22,7 +22,7 @@ class Context : public AddsShapes<Context> {
   // or 3; `body_ids`, one for every cell over all blocks, may be left out: bodies are the connected components.
   Context(int dim, Coords coords, View<const Cells<int32_t>> cells, const Options &options, View<const int32_t> body_ids = {})
       : Context(dim, 4, [&](fmc_context **made) { return from_cells(dim, coords, cells, options, body_ids, made); }) {}
-  // The same with 64-bit numbers. A context goes on with the width it was made with: rows and columns of tangents are as wide.
+  // The same with 64-bit numbers. A context keeps the width of its numbers: rows and columns of tangents have the same width.
   Context(int dim, Coords coords, View<const Cells<int64_t>> cells, const Options &options, View<const int64_t> body_ids = {})
       : Context(dim, 8, [&](fmc_context **made) { return from_cells(dim, coords, cells, options, body_ids, made); }) {}
 
@@ -59,11 +59,12 @@ class Context : public AddsShapes<Context> {
   int dim() const noexcept { return dim_; }
   // Bytes of the numbers of nodes, cells and degrees of freedom.
   int32_t index_size() const noexcept { return index_size_; }
-  // For calls of the C interface. The context stays owned; callbacks that throw are for the methods here.
+  // For calls of the C interface. The wrapper still owns the context. Only the methods here support callbacks that
+  // throw.
   fmc_context *get() const noexcept { return context_.get(); }
 
   void set_options(const Options &options) { call(fmc_context_set_options(get(), &options)); }
-  // Those in force, with the stiffness that `stiffen` has made of theirs.
+  // The options in force; their stiffness includes the factors of `stiffen`.
   Options options() const {
     Options options(0);
     check(fmc_context_options(get(), &options));
@@ -74,7 +75,7 @@ class Context : public AddsShapes<Context> {
     check(fmc_context_counts(get(), &counts.nodes, &counts.facets, &counts.bodies));
     return counts;
   }
-  // Nodes that the option `weld` has taken as one with others.
+  // Number of nodes that the option `weld` has removed.
   size_t welded_node_count() const {
     size_t count = 0;
     check(fmc_context_welded_node_count(get(), &count));
@@ -88,7 +89,7 @@ class Context : public AddsShapes<Context> {
     call(fmc_context_set_log(get(), next ? detail::LogCall::run : nullptr, next.get()));
     callbacks_->log = std::move(next);
   }
-  // Asked some twenty times a second whether the call that is running is to end, on its thread; empty: no more. An interrupted call
+  // Called some twenty times a second during a call, on its thread: whether to end the call. Empty: none. An interrupted call
   // throws `FMC_ERROR_INTERRUPTED`, or the exception of the function, and the context is unchanged.
   void set_interrupt(Interrupt asked) {
     auto next = asked
@@ -144,8 +145,8 @@ class Context : public AddsShapes<Context> {
     find_tangent(coords, flags & ~layout);
     return tangent_csr<Int>(flags & layout);
   }
-  // Finds the tangent and keeps it for the functions below; so does `evaluate_tangent`, together with the forces. Gives back the number
-  // of terms of rank one.
+  // Finds the tangent and keeps it for the functions below; so does `evaluate_tangent`, together with the forces. Returns the number of
+  // terms of rank one.
   std::size_t find_tangent(Coords coords, uint32_t flags = 0) {
     std::size_t count = 0;
     const auto x = coords.as_c(dim_);
@@ -259,7 +260,7 @@ class Context : public AddsShapes<Context> {
     call(fmc_context_stiffness_from_masses(get(), &x, detail::one_for_each(masses, x.node_count, "masses"), limit));
   }
 
-  // How far the nodes may go along a step so that nothing passes through anything.
+  // Part of a step in which no body passes through another.
   fmc_step_limit step_limit(Coords coords, Coords step) {
     fmc_step_limit limit;
     const auto x = coords.as_c(dim_), d = step.as_c(dim_);
@@ -343,8 +344,8 @@ class Context : public AddsShapes<Context> {
     return step;
   }
 
-  // The law "depth": coordinates without deformation; planes of symmetry by a point in each and a vector across it, in dense rows of
-  // dim numbers, or by the nodes in them; none for none.
+  // The law "depth": coordinates without deformation; planes of symmetry by a point in each and its normal, in dense rows of dim
+  // numbers, or by the nodes in them. Empty lists: no planes.
   void set_reference(Coords coords) { at(fmc_context_set_reference, coords); }
   void set_symmetry_planes(View<const double> points, View<const double> normals) {
     std::size_t count = points.size() / static_cast<std::size_t>(dim());
@@ -365,7 +366,7 @@ class Context : public AddsShapes<Context> {
     return surface;
   }
 
-  // Straight faces that meet at less than this angle, in degrees, stand for a smooth surface; 0: none.
+  // Straight faces that meet at less than this angle, in degrees, represent a smooth surface; 0: none.
   void set_surface_smoothing(double feature_angle) { call(fmc_context_set_surface_smoothing(get(), feature_angle)); }
 
   // Unknowns of the host by which the nodes of the mesh move: one row for every node, one column for every unknown.
@@ -376,7 +377,7 @@ class Context : public AddsShapes<Context> {
   }
   void clear_basis() { call(fmc_context_set_basis(get(), nullptr, 0)); }
 
-  // The surface: its facets, and the matrix from nodes to the points of which facets, contact points and gaps tell.
+  // The surface: its facets, and the matrix from nodes to the points of facets, contact points and gaps.
   std::vector<fmc_boundary_facet> boundary_facets() const {
     return detail::rows<fmc_boundary_facet>([&](auto... room) { return fmc_context_boundary_facets(get(), room...); });
   }
@@ -393,7 +394,7 @@ class Context : public AddsShapes<Context> {
     call(fmc_context_nodal_contact(get(), &x, &to));
     return at;
   }
-  // The derivatives of `energy` * w + `adjoint` . F, see `fmc_context_vjp`; an adjoint without nodes stands for zeros. `to` selects the
+  // The derivatives of `energy` * w + `adjoint` . F, see `fmc_context_vjp`; an adjoint without nodes means zeros. `to` selects the
   // derivatives, and receives them; derivatives by pairs are returned.
   std::vector<fmc_pair_gradient> vjp(Coords coords, double energy, Coords adjoint, const Gradients& to) {
     const auto x = coords.as_c(dim_), a = adjoint.as_c(dim_);
@@ -447,8 +448,8 @@ class Context : public AddsShapes<Context> {
     return found;
   }
 
-  // The energy that friction has dissipated since the step began, as heat at nodes and, if there is an effusivity for every body and then for
-  // every obstacle, by these, see `fmc_context_friction_heat`.
+  // The energy that friction has dissipated since the step began, as heat at nodes. Effusivities, one for every body and then for every
+  // obstacle, divide it; see `fmc_context_friction_heat`.
   std::vector<double> friction_heat(Coords coords, const std::vector<double>& effusivities = {}) {
     const auto x = coords.as_c(dim_);
     std::vector<double> heat(x.node_count);
@@ -473,7 +474,8 @@ class Context : public AddsShapes<Context> {
     return csr<int64_t>(1, [&](auto... arrays) { return fmc_context_tie_constraints(get(), arrays...); });
   }
 
-  // Ties two parts of the surface, of two bodies or of one; `period`, one number for every axis, brings part B to part A. Returns its number.
+  // Ties two parts of the surface, of two bodies or of one; `period`, one number for every axis, is the shift from part B to part A.
+  // Returns its number.
   int32_t add_tie(int32_t surface_a, int32_t surface_b, View<const double> period, double reach = 0) {
     int32_t tie = 0;
     detail::one_for_each(period, static_cast<std::size_t>(dim()), "period");
@@ -523,7 +525,7 @@ class Context : public AddsShapes<Context> {
   void set_cohesive_history(View<const double> history) {
     call(fmc_context_set_cohesive_history(get(), history.data(), history.size()));
   }
-  // How long a step takes, for the viscosity of cohesive interfaces.
+  // Duration of a step, for the viscosity of cohesive interfaces.
   void set_time_step(double time_step) { call(fmc_context_set_time_step(get(), time_step)); }
 
   // Updates the multipliers by the penetration, see `fmc_context_augment`.
@@ -562,7 +564,7 @@ class Context : public AddsShapes<Context> {
     call(fmc_context_set_law_pair(get(), FMC_PARTNER_BODY, a, FMC_PARTNER_BODY, b, &options, &given));
     place = std::move(next);
   }
-  // The same with your own law of friction; every facet keeps `history_count` numbers for each of those that it faces.
+  // The same with your own law of friction; every facet keeps `history_count` numbers for each of its partners.
   void set_friction_law_pair(Partner a, Partner b, const PairOptions &options, FrictionLaw law, std::size_t history_count = 0) {
     auto next = std::make_unique<detail::FrictionLawCall>(detail::FrictionLawCall{std::move(law), &callbacks_->thrown});
     const auto given = next->as_c(history_count);
@@ -579,7 +581,7 @@ class Context : public AddsShapes<Context> {
   void set_friction_history(View<const double> history) {
     call(fmc_context_set_friction_history(get(), history.data(), history.size()));
   }
-  // Fields that your own laws are asked with, (rows of coordinates, field_count).
+  // Fields that your own laws receive, (rows of coordinates, field_count).
   void set_law_fields(View<const double> values, std::size_t field_count) {
     const auto each = field_count == 0 ? 1 : field_count;
     if (values.size() % each != 0) detail::refuse(FMC_ERROR_LENGTH, "values has one number for every field of a row");
@@ -619,7 +621,7 @@ class Context : public AddsShapes<Context> {
     return ppr;
   }
 
-  // Adds a rigid obstacle; `add_ball` and the like make a shape and add it. Returned is the index, which an obstacle keeps when
+  // Adds a rigid obstacle; `add_ball` and the like make a shape and add it. Returns the index, which an obstacle keeps when
   // others are removed.
   std::size_t add_obstacle(const Shape &shape, const Pose &pose = {}) {
     detail::ShapeArrays arrays;
@@ -676,7 +678,7 @@ class Context : public AddsShapes<Context> {
       return fmc_context_new_from_facets(dim, &x, blocks.list.data(), blocks.list.size(), ids, &options, made);
     });
   }
-  // A matrix that a function of the C interface gives, with `block` numbers an entry.
+  // A matrix from a function of the C interface, with `block` numbers per entry.
   template <class Int, class Function>
   Csr<Int> csr(std::size_t block, const Function &function) const {
     using Array = void *;

@@ -7,8 +7,8 @@
 
 namespace fmc {
 
-// Options of an evaluation: the fields of `fmc_options`, which has their units and defaults. The stiffness k is with the law "depth", the
-// default, a pressure per length; without one `find_equilibrium` finds it, and nothing can be evaluated before.
+// Options of an evaluation: the fields of `fmc_options`, which has their units and defaults. With the law "depth", the default, the
+// stiffness k is a pressure per length. Without k `find_equilibrium` finds it, and no evaluation is possible before.
 struct Options : fmc_options {
   explicit Options(double k = 0) : fmc_options() {
     check(fmc_options_init(this));
@@ -58,7 +58,8 @@ struct Pose : fmc_pose {
   Pose() : fmc_pose() { check(fmc_pose_init(this)); }
   Pose(const fmc_pose &pose) : fmc_pose(pose) {}
 
-  // At a position of 2 or 3 numbers, not turned: `set_pose` turns an obstacle back with it. `obstacle_shape` has the pose to change.
+  // At a position of 2 or 3 numbers, without rotation: `set_pose` with it resets the rotation of an obstacle. To keep the rotation,
+  // change the pose of `obstacle_shape`.
   static Pose at(View<const double> where) {
     Pose pose;
     if (where.size() != 2 && where.size() != 3) detail::refuse(FMC_ERROR_LENGTH, "a position has 2 or 3 numbers");
@@ -169,7 +170,7 @@ inline std::size_t nodes_of(int32_t cell_type) {
   }
 }
 
-// How many rows of `nodes` numbers a list of node numbers has.
+// Number of rows of `nodes` numbers in a list of node numbers.
 template <class Int>
 std::size_t rows_of(View<const Int> conn, std::size_t nodes, const char *what) {
   if (conn.size() % nodes == 0 && (conn.row() == 0 || conn.row() == nodes)) return conn.size() / nodes;
@@ -187,7 +188,7 @@ const T *one_for_each(View<const T> list, std::size_t count, const char *what) {
   return list.data();
 }
 
-// Blocks for the C interface, and how many cells or facets they have.
+// Blocks for the C interface, and their numbers of cells or facets.
 template <class Block>
 struct Blocks {
   std::vector<Block> list;
@@ -234,7 +235,7 @@ class Numbers {
 
 }  // namespace detail
 
-// A sparse matrix in compressed rows: the entries of row r are those from row_offsets[r] to row_offsets[r + 1].
+// A sparse matrix in compressed rows: row r has the entries from row_offsets[r] to row_offsets[r + 1].
 template <class Int>
 struct Csr {
   std::vector<Int> row_offsets, cols;
@@ -266,7 +267,7 @@ struct CsrView {
   }
 };
 
-// The tangent as entries, each with another row or column.
+// The tangent as entries, one for each pair of row and column.
 struct Entries {
   std::vector<int64_t> rows, cols;
   std::vector<double> values;
@@ -331,7 +332,7 @@ struct GapConstraints {
   Csr<int64_t> gradient;
 };
 
-// How well contacts conduct: h by pressure where surfaces touch, by gap where they are apart, see `fmc_conductance`. None at first.
+// Conductance of contacts: h by pressure where surfaces touch, by gap where they are apart, see `fmc_conductance`. None at first.
 struct Conductance {
   std::vector<double> pressures, by_pressure, gaps, by_gap;
 
@@ -341,7 +342,7 @@ struct Conductance {
     found.pressures = {0}, found.by_pressure = {h};
     return found;
   }
-  // As long as this lives, and stays as it is.
+  // Valid while this object lives and is unchanged.
   fmc_conductance as_c() const {
     if (pressures.size() != by_pressure.size() || gaps.size() != by_gap.size())
       throw Error(FMC_ERROR_LENGTH, "a table of a conductance has columns of different lengths");

@@ -13,13 +13,13 @@
 
 namespace fmc {
 
-// When a search ends, and how: see `fmc_equilibrium_options`.
+// Tolerances and limits of a search: see `fmc_equilibrium_options`.
 struct EquilibriumOptions : fmc_equilibrium_options {
   EquilibriumOptions() : fmc_equilibrium_options() { fmc::check(fmc_equilibrium_options_init(this)); }
 };
 
-// The bodies of a host. K is the derivative of the forces where they were last asked for with `matrix`. Arrays that are filled have a number
-// for every unknown, zero before; a function that returns false has none.
+// The bodies of a host. K is the derivative of the forces at the last request with `matrix`. Output arrays have a number for every unknown,
+// zero before; a function returns false if it has no answer.
 struct EquilibriumHost {
   // Internal minus external forces at x, without contact. `energy` is strain energy minus the work of loads; leave NaN in it if
   // unknown.
@@ -177,8 +177,8 @@ struct EquilibriumAdjoint {
   bool is_there = false;  // False where the host has no solution.
 };
 
-// The adjoint of the equilibrium `problem.x`, found by whatever solver. `solve_transposed` fills a vector, zero before, with the solution b of
-// (K + T)^T b = right in the rows of free unknowns, T being `Context::tangent` there without flags. Of a number that knows no forces
+// The adjoint of the equilibrium `problem.x`, found by any solver. `solve_transposed` fills a vector, zero before, with the solution b of
+// (K + T)^T b = right in the rows of free unknowns, T being `Context::tangent` there without flags. If J does not depend on forces,
 // `by_forces` is empty. `to` selects the derivatives, and receives them.
 inline EquilibriumAdjoint adjoint(Context &context, const EquilibriumProblem &problem, View<const double> by_x, View<const double> by_forces,
                                   const std::function<bool(View<const double> right, double *balance)> &solve_transposed,

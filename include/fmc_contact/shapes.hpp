@@ -155,7 +155,7 @@ inline const fmc_shape &Shape::as_c(int dim, detail::ShapeArrays &arrays, detail
   return arrays.shapes.back();
 }
 
-// `add_obstacle` of a context by the name of the shape. Returned is the index, which an obstacle keeps when others are removed.
+// `add_obstacle` of a context by the name of the shape. Returns the index, which an obstacle keeps when others are removed.
 template <class Context>
 class AddsShapes {
  public:

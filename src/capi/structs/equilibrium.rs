@@ -206,8 +206,8 @@ pub enum fmc_equilibrium_request_kind {
     FMC_REQUEST_DIAGONAL = 2,
     /// d with (K + `shift` diag K + T) d = `vector` in the rows of free unknowns, and d = 0 at all other unknowns.
     FMC_REQUEST_SOLVE = 3,
-    /// A step from `x` to the equilibrium of the contact with bodies that are linear, by K and the forces `forces`, as
-    /// `fmc_context_contact_step` finds it, while unknowns that are not free move by `vector`.
+    /// A step from `x` to the equilibrium of the contact with linear bodies, from K and the forces `forces`, as
+    /// `fmc_context_contact_step` finds it. Unknowns that are not free move by `vector`.
     FMC_REQUEST_CONDENSED = 4,
     /// The equilibrium was found: see `fmc_equilibrium_result`.
     FMC_REQUEST_FOUND = 5,
@@ -237,9 +237,9 @@ pub struct fmc_equilibrium_request {
     pub forces: *const f64,
     /// Part of the diagonal of K that is added.
     pub shift: f64,
-    /// Residual that a condensed step may leave, by the forces.
+    /// Residual at which a condensed step may end, relative to the forces.
     pub tolerance: f64,
-    /// Residual that it may leave, a force.
+    /// Residual at which it may end, a force.
     pub absolute_tolerance: f64,
     /// Zero.
     pub reserved: [u64; 4],

@@ -32,7 +32,7 @@ pub struct fmc_equilibrium_result {
     pub x: *const f64,
     /// Internal minus external minus contact forces there: at unknowns that are not free, the reactions. NULL for a refusal.
     pub reactions: *const f64,
-    /// Residual by the forces, state by state.
+    /// Residual relative to the forces, state by state.
     pub residuals: *const f64,
     /// Their number.
     pub residual_count: usize,

@@ -15,8 +15,8 @@ use crate::capi::context::state::{fmc_context, write};
 /// It is the second derivative of the energy, and symmetric. The moment M about the position (moment of
 /// `fmc_context_obstacle_resultant` minus position x force) changes by -K dtheta + 1/2 dtheta x M as the obstacle turns by dtheta.
 /// With axisymmetry obstacles do not rotate, and there are only zeros. Friction adds the terms of its tangent, unsymmetric without
-/// `FMC_TANGENT_SYMMETRIC`. Where a body meets an obstacle by the law "fiber", whose lines do not turn along, the tangent is refused,
-/// with `FMC_ERROR_UNSUPPORTED`.
+/// `FMC_TANGENT_SYMMETRIC`. Where a body meets an obstacle by the law "fiber", whose lines do not rotate with it, the tangent returns
+/// `FMC_ERROR_UNSUPPORTED`.
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_BAD_VALUE` for another number, `FMC_ERROR_BUSY`. Threads: one call
 /// at a time on a context.
