@@ -32,6 +32,17 @@ impl<const D: usize> FacetSag<D> {
         corners + edges.sum::<f64>()
     }
 
+    /// Its derivatives by the barycentric coordinates of the place, as if each changed alone.
+    pub(crate) fn slopes(&self, weights: &[f64; D]) -> [f64; D] {
+        let mut slopes = self.at_corners;
+        for (k, s) in self.at_edges.iter().enumerate().take(edge_count(D)) {
+            let next = (k + 1) % D;
+            slopes[k] += 4.0 * s * weights[next];
+            slopes[next] += 4.0 * s * weights[k];
+        }
+        slopes
+    }
+
     pub(crate) fn is_flat(&self) -> bool {
         *self == Self::FLAT
     }

@@ -4,6 +4,7 @@
 
 mod facet_gaps;
 mod gap_points;
+mod height_slopes;
 mod near_surface;
 mod nodal_gaps;
 

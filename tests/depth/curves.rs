@@ -151,6 +151,46 @@ fn gaps_of_rings() {
     }
 }
 
+/// Their rows are the derivatives of the gaps, open and closed: the foot of a point wanders over a curved face, whose height changes on the
+/// way. By differences of 1e-6, with feet that do not cross from facet to facet.
+#[test]
+fn rows_of_gaps_are_their_derivatives() {
+    for overlap in [0.003, -0.003] {
+        pairs_in_plane(overlap).iter().for_each(|scene| rows_are_derivatives(scene, 0.0));
+        pairs_in_space(overlap).iter().for_each(|scene| rows_are_derivatives(scene, 0.0));
+        let rings = [ring(0.5, 1.0 + overlap, [32, 2], 4, 0.05), ring(1.0, 1.5, [44, 2], 4, 0.0)];
+        rows_are_derivatives(&Scene::of(&[&rings[0], &rings[1]]), 30.0);
+    }
+}
+
+fn rows_are_derivatives<const D: usize>(scene: &Scene<D>, smoothing: f64) {
+    let mut contact = scene.contact(depth(1.0));
+    contact.set_surface_smoothing(smoothing).expect("an angle");
+    let (coords, step) = (disturbed(scene, 2e-4), 1e-6);
+    let mut random = Splitmix::new(7);
+    let along: Vec<[f64; D]> = coords.iter().map(|x| x.map(|_| random.between(-1.0, 1.0))).collect();
+    let at = |by: f64| {
+        let moved: Vec<[f64; D]> =
+            coords.iter().zip(&along).map(|(x, d)| std::array::from_fn(|i| x[i] + by * d[i])).collect();
+        contact.gap_constraints(&moved, 0.1).expect("valid coordinates")
+    };
+    let (here, ahead, behind) = (at(0.0), at(step), at(-step));
+    assert!(here.gaps.len() > 8 && ahead.nodes == here.nodes && behind.nodes == here.nodes, "{}", here.gaps.len());
+    let mut off = 0;
+    for row in 0..here.gaps.len() {
+        let entries = here.row_starts[row]..here.row_starts[row + 1];
+        let by_rows: f64 = entries
+            .map(|at| (0..D).map(|i| here.slopes[at][i] * along[here.columns[at] as usize][i]).sum::<f64>())
+            .sum();
+        let by_differences = (ahead.gaps[row] - behind.gaps[row]) / (2.0 * step);
+        let is_edge = (ahead.gaps[row] - 2.0 * here.gaps[row] + behind.gaps[row]).abs() > 1e-3 * step * here.areas[row];
+        off += usize::from(is_edge);
+        let error = (by_rows - by_differences).abs() / here.areas[row];
+        assert!(is_edge || error < 1e-5, "row {row}: {by_rows} for {by_differences}, {error:.1e}");
+    }
+    assert!(off * 5 <= here.gaps.len(), "{off} of {} rows have an edge", here.gaps.len());
+}
+
 /// Curved faces may touch while the boxes of the straight ones are still apart.
 #[test]
 fn touch_before_the_straight_facets() {

@@ -19,7 +19,7 @@ pub(crate) struct FacetGap<const D: usize> {
     pub(crate) gaps: [f64; D],
     /// ∫ N dA over it.
     pub(crate) areas: [f64; D],
-    /// ∫ N ∇φ dA over it: away from the other side.
+    /// ∫ N ∇φ dA over it, of the curved surfaces where faces are curved: away from the other side.
     pub(crate) away: [Vector<D>; D],
     /// Derivatives of the gaps with respect to nodes, each of which may come several times.
     pub(crate) gradients: [Vec<(u32, Vector<D>)>; D],
@@ -28,7 +28,7 @@ pub(crate) struct FacetGap<const D: usize> {
 }
 
 /// By quadrature of degree 5. Where φ is smooth over the facet its derivative is exact: the nearest point of the other
-/// surface moves along that surface, which changes the distance by nothing.
+/// surface moves along that surface, which changes the distance by nothing, and the height of a curved face there by its slope.
 ///
 /// # Errors
 /// [`Error::SignedDistance`] where a function of the host fails.
@@ -60,16 +60,24 @@ pub(crate) fn facet_gap<const D: usize>(
         for corner in 0..D {
             let by = found.distance.gradient * (share * facet.measure * at[corner]);
             let of_weight = weighting.gradient() * (bare * facet.measure * at[corner] * phi);
-            gap.away[corner] += by;
+            let of_height = found.of_height.as_ref();
+            let by_height = of_height.map(|slopes| slopes.by_point * (share * facet.measure * at[corner]));
+            let by_height = by_height.unwrap_or_else(Vector::zeros);
+            gap.away[corner] += by - by_height;
             let gradient = &mut gap.gradients[corner];
             for (other, weights) in facet.weights.iter().enumerate() {
                 let own = facet.nodes.iter().zip(weights).filter(|(_, weight)| **weight != 0.0);
-                let of_facet = by + of_weight;
+                let of_facet = by + of_weight - by_height;
                 gradient.extend(own.map(|(&node, weight)| (node, of_facet * (at[other] * weight))));
             }
-            for (vertex, weight) in found.foot.iter().flat_map(|(vertices, at)| vertices.iter().zip(at)) {
+            let feet = found.foot.iter().flat_map(|(vertices, at)| vertices.iter().zip(at));
+            for (k, (vertex, weight)) in feet.enumerate() {
                 let of_vertex = pair.surface.nodes_of_vertex(*vertex);
                 gradient.extend(of_vertex.map(|(node, part)| (node, by * (-weight * part))));
+                if let Some(slopes) = of_height {
+                    let by = slopes.by_corners[k] * (-share * facet.measure * at[corner]);
+                    gradient.extend(pair.surface.nodes_of_vertex(*vertex).map(|(node, part)| (node, by * part)));
+                }
             }
         }
     }

@@ -1,5 +1,6 @@
 //! The distance from the other side, up to a reach.
 
+use super::height_slopes::HeightSlopes;
 use crate::Error;
 use crate::geometry::Vector;
 use crate::geometry::aabb::Aabb;
@@ -28,6 +29,8 @@ pub(crate) struct Nearest<const D: usize> {
     pub(crate) foot: Option<([u32; D], [f64; D])>,
     /// How far the curved face for which that surface stands lies outside of it.
     pub(crate) height: f64,
+    /// What that height changes by; `None` where it is the same everywhere.
+    pub(crate) of_height: Option<HeightSlopes<D>>,
 }
 
 impl<'a, const D: usize> NearSurface<'a, D> {
@@ -56,7 +59,7 @@ impl<'a, const D: usize> NearSurface<'a, D> {
     pub(crate) fn nearest(&self, points: &[Vector<D>]) -> Result<Vec<Option<Nearest<D>>>, Error> {
         let Some(shape) = &self.shape else { return Ok(points.iter().map(|x| self.on_facets(x)).collect()) };
         let within = |distance: Distance<D>| {
-            (distance.phi < self.reach).then_some(Nearest { distance, foot: None, height: 0.0 })
+            (distance.phi < self.reach).then_some(Nearest { distance, foot: None, height: 0.0, of_height: None })
         };
         Ok(shape.at(points)?.into_iter().map(within).collect())
     }
@@ -82,8 +85,12 @@ impl<'a, const D: usize> NearSurface<'a, D> {
             if squared.sqrt() < radius {
                 let distance = signed(side, x, (squared, from, facet));
                 let foot = (!is_rigid).then(|| (side.facets[facet as usize], weights));
-                let height = if is_rigid { 0.0 } else { self.pair.height(self.of_b, facet, &weights) };
-                return Some(Nearest { distance, foot, height });
+                let sag = if is_rigid { None } else { self.pair.sag(self.of_b, facet) };
+                let sag = sag.filter(|sag| !sag.is_flat());
+                let height = sag.map_or(0.0, |sag| sag.at(&weights));
+                let corners = side.corners(facet as usize);
+                let of_height = sag.map(|sag| HeightSlopes::new(&corners, &weights, &from, sag.slopes(&weights)));
+                return Some(Nearest { distance, foot, height, of_height });
             }
             if radius < self.reach {
                 radius = (4.0 * radius).min(self.reach);

@@ -7,6 +7,7 @@ use crate::configuration::FacetSide;
 use crate::depth_field::{DepthField, TiedLayer};
 use crate::geometry::convex_piece::place;
 use crate::geometry::facet::area_vector;
+use crate::geometry::facet_sags::FacetSag;
 use crate::geometry::plane::Plane;
 use crate::geometry::shapes::ImplicitShape;
 use crate::geometry::{Pose, Surface, Vector, Weighting};
@@ -165,12 +166,17 @@ impl<'a, const D: usize> Pair<'a, D> {
 
     /// How far the curved face for which a facet stands lies outside of it at a place; 0 where it is not measured as curved.
     pub(crate) fn height(&self, of_b: bool, facet: u32, weights: &[f64; D]) -> f64 {
+        self.sag(of_b, facet).map_or(0.0, |sag| sag.at(weights))
+    }
+
+    /// That of all places of a facet; `None` where there are no curved faces.
+    pub(crate) fn sag(&self, of_b: bool, facet: u32) -> Option<&FacetSag<D>> {
         let ([Partner::Body(_), Partner::Body(_)], Counterpart::Facets(_)) = (self.partners, &self.counterpart) else {
-            return 0.0;
+            return None;
         };
-        let Partner::Body(body) = self.partners[usize::from(of_b)] else { return 0.0 };
-        let curves = self.depth.and_then(|field| field.curves());
-        curves.map_or(0.0, |curves| curves.facet(self.surface.ranges[body].start + facet as usize).at(weights))
+        let Partner::Body(body) = self.partners[usize::from(of_b)] else { return None };
+        let curves = self.depth.and_then(|field| field.curves())?;
+        Some(curves.facet(self.surface.ranges[body].start + facet as usize))
     }
 
     /// Whether the body is measured against itself.
