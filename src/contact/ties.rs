@@ -2,6 +2,8 @@
 
 mod held;
 mod results;
+mod supports;
 
-pub(super) use held::{TieChange, TieKept, TieMultipliers, Ties};
+pub(super) use held::{HeldApart, TieChange, TieKept, TieMultipliers, Ties};
 pub use results::{TieConstraints, TieNode, TieSummary};
+pub(super) use supports::Supports;

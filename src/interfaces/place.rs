@@ -46,3 +46,16 @@ fn on_curve<const D: usize>(surface: &Surface<D>, facet: usize, at: &[f64; D]) -
 pub(super) fn position<const D: usize>(weights: &Weights, points: &[[f64; D]]) -> Vector<D> {
     weights.iter().fold(Vector::zeros(), |x, &(point, weight)| x + Vector::from(points[point as usize]) * weight)
 }
+
+/// Where a point of a facet is, on curved cells on the curve.
+pub(super) fn place_of<const D: usize>(
+    surface: &Surface<D>,
+    facet: usize,
+    point: u32,
+    points: &[[f64; D]],
+) -> Vector<D> {
+    let is_here = |vertex: &u32| surface.nodes_of_vertex(*vertex).eq([(point, 1.0)]);
+    let corner = surface.facets[facet].iter().position(is_here);
+    let at = corner.map(|corner| std::array::from_fn(|k| if k == corner { 1.0 } else { 0.0 }));
+    at.map_or_else(|| Vector::from(points[point as usize]), |at| position(&weights(surface, facet, &at), points))
+}

@@ -11,8 +11,9 @@ use super::common_pieces::{CommonPiece, Facing};
 use super::covered::{Covered, LeftOut};
 use super::hold::{TiedPoint, firmness};
 use super::opposite::Opposite;
-use super::place::{Weights, of_vertices};
+use super::place::{Weights, of_vertices, place_of};
 use crate::Error;
+use crate::geometry::facet::area_vector;
 use crate::geometry::{Surface, Vector, Weighting};
 use std::collections::BTreeMap;
 use std::sync::OnceLock;
@@ -26,7 +27,7 @@ pub(crate) struct Tie<const D: usize> {
     /// Points of the mesh that the tie moves, those of the first body before those of the second, each ascending.
     pub(crate) nodes: Vec<u32>,
     pub(crate) of_b: Vec<bool>,
-    pub(crate) rows: Vec<TieRow>,
+    pub(crate) rows: Vec<TieRow<D>>,
     /// Facets along whose normals a gap is kept, by the nodes that move each corner.
     pub(super) frames: Vec<[Weights; D]>,
     /// Whether the side of the hat functions is the second body.
@@ -50,7 +51,7 @@ pub(crate) struct Tie<const D: usize> {
 }
 
 /// A mean of the jump that is held.
-pub(crate) struct TieRow {
+pub(crate) struct TieRow<const D: usize> {
     /// The point of whose hat function it is the mean.
     pub(crate) point: u32,
     /// ∫ψ dA.
@@ -59,14 +60,26 @@ pub(crate) struct TieRow {
     pub(crate) jump: Weights,
     /// ∫ψ γ dA by frame.
     pub(crate) gaps: Weights,
+    /// Mean normal of the straight facets about it, of the side of the hat function.
+    pub(super) normal: Vector<D>,
+    /// Where its point is without deformation, on curved cells on the curve.
+    pub(super) place: Vector<D>,
 }
 
 /// Sums of one row while they are made, by point of either body and by facet.
-#[derive(Default)]
-struct Sums {
+struct Sums<const D: usize> {
+    /// One of the facets about the point.
+    facet: usize,
     measure: f64,
+    normal: Vector<D>,
     jump: BTreeMap<(bool, u32), f64>,
     gaps: BTreeMap<usize, f64>,
+}
+
+impl<const D: usize> Default for Sums<D> {
+    fn default() -> Self {
+        Self { facet: 0, measure: 0.0, normal: Vector::zeros(), jump: BTreeMap::new(), gaps: BTreeMap::new() }
+    }
 }
 
 impl<const D: usize> Tie<D> {
@@ -98,7 +111,7 @@ struct Build<'a, const D: usize> {
     facing: &'a Facing<'a, D>,
     points: &'a [[f64; D]],
     weighting: Weighting,
-    sums: BTreeMap<u32, Sums>,
+    sums: BTreeMap<u32, Sums<D>>,
     area: f64,
     largest_gap: f64,
     covered: Covered,
@@ -131,6 +144,7 @@ impl<'a, const D: usize> Build<'a, D> {
         if piece.within > 0.0 {
             pairs.push(piece.facets);
         }
+        let normal = area_vector(&facing.corners(here)).try_normalize(0.0).unwrap_or_else(Vector::zeros);
         facing.for_each_opposite(points, *weighting, piece, |point| {
             let Opposite { straight, measure, own, other, gap, at } = point;
             *area += measure;
@@ -141,7 +155,9 @@ impl<'a, const D: usize> Build<'a, D> {
             tied.push(TiedPoint { x: straight, measure, hats: hats.clone(), other: nodes });
             for (point, hat) in hats {
                 let sums = sums.entry(point).or_default();
+                sums.facet = here;
                 sums.measure += hat * measure;
+                sums.normal += normal * (hat * measure);
                 own.iter().for_each(|(node, w)| *sums.jump.entry((false, *node)).or_default() += hat * measure * w);
                 other.iter().for_each(|(node, w)| *sums.jump.entry((true, *node)).or_default() -= hat * measure * w);
                 if gap != 0.0 {
@@ -172,7 +188,7 @@ impl<'a, const D: usize> Build<'a, D> {
         }
         numbers.values_mut().zip(0..).for_each(|(number, next)| *number = next);
         frames.values_mut().zip(0..).for_each(|(number, next)| *number = next);
-        let row = |(&point, sums): (&u32, &Sums)| TieRow {
+        let row = |(&point, sums): (&u32, &Sums<D>)| TieRow {
             point,
             measure: sums.measure,
             jump: sums
@@ -181,6 +197,8 @@ impl<'a, const D: usize> Build<'a, D> {
                 .map(|(&(is_other, node), w)| (numbers[&(is_other != is_second, node)], *w))
                 .collect(),
             gaps: sums.gaps.iter().map(|(facet, gap)| (frames[facet], *gap)).collect(),
+            place: place_of(surface, sums.facet, point, self.points),
+            normal: sums.normal.try_normalize(0.0).unwrap_or(sums.normal),
         };
         let corner = |vertex: u32| {
             surface.nodes_of_vertex(vertex).map(|(node, w)| (numbers[&(!is_second, node)], w)).collect::<Weights>()

@@ -44,7 +44,7 @@ impl<const D: usize> Tie<D> {
         let frames: Vec<_> = frames.into_iter().map(|frame| frame.unwrap_or_else(Frame::none)).collect();
         // A row is the hat functions' side less the other one.
         let apart = (self.period + self.jump) * self.sign();
-        let jump = |row: &TieRow| {
+        let jump = |row: &TieRow<D>| {
             let kept = row.gaps.iter().map(|&(frame, gap)| frames[frame as usize].normal * gap);
             (sum(&row.jump) - kept.sum::<Vector<D>>()) / row.measure - apart
         };
@@ -127,7 +127,7 @@ impl<const D: usize> TieAt<'_, D> {
     }
 
     /// Adds k/m dGᵀ dG of a row.
-    fn add_row(&self, row: &TieRow, sum: &mut BlockSum<D>) {
+    fn add_row(&self, row: &TieRow<D>, sum: &mut BlockSum<D>) {
         let mut slopes: BTreeMap<u32, Matrix<D>> = BTreeMap::new();
         let mut add = |node: u32, value: Matrix<D>| {
             let slope = slopes.entry(node).or_insert([[0.0; D]; D]);

@@ -7,7 +7,7 @@ use crate::contact::glides::Glides;
 use crate::contact::history::{Multiplier, Multipliers, check_law, sorted};
 use crate::contact::method::Options;
 use crate::contact::results::GapConstraints;
-use crate::contact::ties::{TieChange, TieMultipliers};
+use crate::contact::ties::{Supports, TieChange, TieMultipliers};
 use crate::geometry::Vector;
 use crate::geometry::aabb::Aabb;
 use crate::overlap::Partner;
@@ -56,7 +56,9 @@ impl<const D: usize> Contact<D> {
     /// multipliers have then stayed.
     pub fn augment(&mut self, coords: &[[f64; D]], reach: f64, enough: f64) -> Result<Augmentation, Error> {
         Error::check_not_negative("penetration", enough)?;
-        self.augment_unless(coords, reach, |found, _| [found.penetration.max(found.change) <= enough; 2])
+        self.augment_unless(coords, reach, &Supports::default(), |found, _| {
+            [found.penetration.max(found.change) <= enough; 2]
+        })
     }
 
     /// The same, unless what is found is enough: of contact, whose multipliers stay where that alone is, and of ties.
@@ -64,11 +66,12 @@ impl<const D: usize> Contact<D> {
         &mut self,
         coords: &[[f64; D]],
         reach: f64,
+        supports: &Supports,
         is_enough: impl FnOnce(&Augmentation, &TieChange) -> [bool; 2],
     ) -> Result<Augmentation, Error> {
         let (next, mut found) = self.measured(coords, reach)?;
-        let (of_ties, next_of_ties) = self.change_of_ties(coords)?;
-        let (of_glides, next_glides) = self.change_of_glides(coords)?;
+        let (of_ties, next_of_ties) = self.change_of_ties(coords, supports)?;
+        let (of_glides, next_glides) = self.change_of_glides(coords, supports)?;
         let of_interfaces = of_ties.and(of_glides);
         found.penetration = found.penetration.max(of_interfaces.largest);
         found.change = found.change.max(of_interfaces.largest);
@@ -95,7 +98,7 @@ impl<const D: usize> Contact<D> {
     /// # Errors
     /// As [`Self::augment`].
     pub fn nodal_penetration(&self, coords: &[[f64; D]], reach: f64) -> Result<f64, Error> {
-        Ok(self.left_of_penetration(coords, reach)?.0.penetration)
+        Ok(self.left_of_penetration(coords, reach, &Supports::default())?.0.penetration)
     }
 
     /// What an update would say, without one.
@@ -103,27 +106,35 @@ impl<const D: usize> Contact<D> {
         &self,
         coords: &[[f64; D]],
         reach: f64,
+        supports: &Supports,
     ) -> Result<(Augmentation, TieChange), Error> {
-        let (of_interfaces, mut found) = (self.change_of_interfaces(coords)?, self.measured(coords, reach)?.1);
+        let of_interfaces = self.change_of_ties(coords, supports)?.0.and(self.change_of_glides(coords, supports)?.0);
+        let mut found = self.measured(coords, reach)?.1;
         found.penetration = found.penetration.max(of_interfaces.largest);
         Ok((found, of_interfaces))
     }
 
-    /// What an update would change of all that is tied or does not separate.
-    pub(crate) fn change_of_interfaces(&self, coords: &[[f64; D]]) -> Result<TieChange, Error> {
-        Ok(self.change_of_ties(coords)?.0.and(self.change_of_glides(coords)?.0))
-    }
-
-    fn change_of_ties(&self, coords: &[[f64; D]]) -> Result<(TieChange, TieMultipliers<D>), Error> {
-        self.ties
-            .change(&self.mesh.points(coords)?, |pair| (self.stiffness_of_tie(pair), self.is_tie_stiffness_given(pair)))
+    fn change_of_ties(
+        &self,
+        coords: &[[f64; D]],
+        supports: &Supports,
+    ) -> Result<(TieChange, TieMultipliers<D>), Error> {
+        self.ties.change(
+            &self.mesh.points(coords)?,
+            |pair| (self.stiffness_of_tie(pair), self.is_tie_stiffness_given(pair)),
+            |point, axis| supports.hold(&self.mesh.surface, point, axis),
+        )
     }
 
     /// What slides and does not separate: with points that are found anew where bodies have moved to.
-    fn change_of_glides(&self, coords: &[[f64; D]]) -> Result<(TieChange, Glides<D>), Error> {
+    fn change_of_glides(&self, coords: &[[f64; D]], supports: &Supports) -> Result<(TieChange, Glides<D>), Error> {
         let points = self.mesh.points(coords)?;
         let found = self.glides.moved_on(&self.mesh, self.method.weighting(), &points)?;
-        found.updated(&points, |pair| (self.stiffness_of_tie(pair), self.is_tie_stiffness_given(pair)))
+        found.updated(
+            &points,
+            |pair| (self.stiffness_of_tie(pair), self.is_tie_stiffness_given(pair)),
+            |point, axis| supports.hold(&self.mesh.surface, point, axis),
+        )
     }
 
     /// Those of contact and interfaces, to be put back.

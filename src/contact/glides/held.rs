@@ -5,9 +5,9 @@ use crate::contact::held::{At, Finder, Found, HeldList};
 use crate::contact::laws::PairEnergy;
 use crate::contact::mesh::Mesh;
 use crate::contact::tangents::TangentPart;
-use crate::contact::ties::TieChange;
+use crate::contact::ties::{HeldApart, TieChange};
 use crate::geometry::Weighting;
-use crate::interfaces::{Glide, GlideAt, HeldFacets};
+use crate::interfaces::{Glide, GlideAt, GlideRow, HeldFacets};
 use crate::overlap::{Block, Partner};
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -75,24 +75,36 @@ impl<const D: usize> Glides<D> {
         Ok(next)
     }
 
-    /// All with the tractions that there are at these points of the mesh as multipliers, and what that changes; with the
-    /// stiffness of a pair comes whether it was given.
+    /// All with the tractions that there are at these points of the mesh as multipliers, but where supports hold both sides, and what that changes; with
+    /// the stiffness of a pair comes whether it was given.
     pub(crate) fn updated(
         &self,
         points: &[[f64; D]],
         stiffness: impl Fn([Partner; 2]) -> (f64, bool),
+        is_held: impl Fn(u32, usize) -> bool,
     ) -> Result<(TieChange, Self), Error> {
         let (mut found, mut next) = (TieChange::default(), self.clone());
         for held in next.held.values_mut() {
             let glide = held.found.clone()?;
             let (stiffness, is_given) = stiffness(glide.first.between.bodies.map(Partner::Body));
             let at = glide.at(points, stiffness, &held.kept);
-            let rows = glide.rows.iter().zip(at.gaps.iter().zip(&at.tractions));
-            found.add(
-                (stiffness, is_given),
-                rows.map(|(row, (gap, traction))| [row.measure, gap.abs(), traction.abs()]),
-            );
-            held.kept = glide.rows.iter().map(|row| row.point).zip(at.tractions.iter().copied()).collect();
+            let mut tractions = at.tractions.clone();
+            let supported = at.follow(&glide, &is_held, &held.kept, &mut tractions);
+            let before = |point: u32| held.kept.get(&point).copied().unwrap_or(0.0);
+            let row = |(number, row): (usize, &GlideRow)| {
+                let (gap, traction) = (at.gaps[number].abs(), tractions[number]);
+                let change = if supported.get(number) == Some(&[true]) {
+                    let bodies = glide.first.between.bodies;
+                    found.tell_held_apart(HeldApart { bodies, point: row.point, jump: gap });
+                    (traction - before(row.point)).abs() / stiffness
+                } else {
+                    gap
+                };
+                [row.measure, change, traction.abs()]
+            };
+            let rows: Vec<_> = glide.rows.iter().enumerate().map(row).collect();
+            found.add((stiffness, is_given), rows.into_iter());
+            held.kept = glide.rows.iter().map(|row| row.point).zip(tractions).collect();
         }
         Ok((found, next))
     }

@@ -6,7 +6,7 @@ use crate::contact::laws::PairEnergy;
 use crate::contact::mesh::Mesh;
 use crate::contact::tangents::TangentPart;
 use crate::geometry::{Vector, Weighting};
-use crate::interfaces::{Between, Curvature, HeldFacets, Tie, TieAt};
+use crate::interfaces::{Between, Curvature, HeldFacets, Tie, TieAt, TieRow};
 use crate::overlap::{Block, Partner};
 use std::collections::BTreeMap;
 
@@ -86,6 +86,16 @@ pub(crate) struct TieChange {
     mean_of_others: f64,
     /// By tie whose stiffness nobody has given: what it bears, and its largest jump by that which its largest traction would call up without multipliers.
     of_each: Vec<[f64; 2]>,
+    /// The largest jump where supports hold both sides.
+    pub(crate) held_apart: Option<HeldApart>,
+}
+
+/// Where supports hold what is tied apart, and how far.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct HeldApart {
+    pub(crate) bodies: [usize; 2],
+    pub(crate) point: u32,
+    pub(crate) jump: f64,
 }
 
 impl TieChange {
@@ -104,11 +114,19 @@ impl TieChange {
         }
     }
 
+    /// Adds a jump where supports hold both sides.
+    pub(crate) fn tell_held_apart(&mut self, one: HeldApart) {
+        if one.jump > self.held_apart.map_or(0.0, |found| found.jump) {
+            self.held_apart = Some(one);
+        }
+    }
+
     /// Those of others too.
     pub(crate) fn and(mut self, other: Self) -> Self {
         self.largest = self.largest.max(other.largest);
         self.mean_of_others = self.mean_of_others.max(other.mean());
         self.of_each.extend(other.of_each);
+        other.held_apart.into_iter().for_each(|one| self.tell_held_apart(one));
         self
     }
 
@@ -195,24 +213,38 @@ impl<const D: usize> Ties<D> {
         (0..body_count).map(|body| self.held.keys().any(|(bodies, _)| holds(body, bodies))).collect()
     }
 
-    /// What an update would change at these points, and the multipliers after it: the tractions there are. With the stiffness of a pair comes
-    /// whether it was given.
+    /// What an update would change at these points, and the multipliers after it: the tractions there are, but where supports hold both sides. With the
+    /// stiffness of a pair comes whether it was given.
     pub(crate) fn change(
         &self,
         points: &[[f64; D]],
         stiffness: impl Fn([Partner; 2]) -> (f64, bool),
+        is_held: impl Fn(u32, usize) -> bool,
     ) -> Result<(TieChange, TieMultipliers<D>), Error> {
         let (mut found, mut next) = (TieChange::default(), TieMultipliers::new());
         for (key, held) in &self.held {
             let (tie, kept) = held.get()?;
             let (stiffness, is_given) = stiffness(tie.bodies.map(Partner::Body));
-            let at = tie.at(points, stiffness, &kept.multipliers);
-            let rows = tie.rows.iter().zip(at.jumps.iter().zip(&at.tractions));
-            found.add(
-                (stiffness, is_given),
-                rows.map(|(row, (jump, traction))| [row.measure, jump.norm(), traction.norm()]),
-            );
-            next.insert(*key, at.tractions);
+            let TieAt { jumps, mut tractions, .. } = tie.at(points, stiffness, &kept.multipliers);
+            let supported = tie.follow(&is_held, &kept.multipliers, &mut tractions);
+            let before = |row: usize| kept.multipliers.get(row).copied().unwrap_or_else(Vector::zeros);
+            let row = |(number, row): (usize, &TieRow<D>)| {
+                let is_supported = |axes: &[bool; D]| axes.contains(&true);
+                let change = match supported.get(number).filter(|axes| is_supported(axes)) {
+                    Some(axes) => {
+                        let apart = (0..D).filter(|&axis| axes[axis]).map(|axis| jumps[number][axis].abs());
+                        let jump = apart.fold(0.0, f64::max);
+                        found.tell_held_apart(HeldApart { bodies: tie.bodies, point: row.point, jump });
+                        // Supports have the jump; an update changes the traction alone.
+                        (tractions[number] - before(number)).norm() / stiffness
+                    }
+                    None => jumps[number].norm(),
+                };
+                [row.measure, change, tractions[number].norm()]
+            };
+            let rows: Vec<_> = tie.rows.iter().enumerate().map(row).collect();
+            found.add((stiffness, is_given), rows.into_iter());
+            next.insert(*key, tractions);
         }
         Ok((found, next))
     }

@@ -1,6 +1,7 @@
 //! Which unknown of a host moves which coordinate of the contact.
 
 use crate::Error;
+use crate::contact::ties::Supports;
 use nalgebra::DVector;
 use std::collections::BTreeMap;
 
@@ -73,6 +74,12 @@ impl<const D: usize> Unknowns<D> {
         let mut is_taken = vec![false; self.count];
         !self.weighted.is_empty()
             || self.of_coordinate.iter().flatten().any(|&unknown| std::mem::replace(&mut is_taken[unknown], true))
+    }
+
+    /// Coordinates that nothing free moves.
+    pub(crate) fn supports(&self) -> Supports {
+        let is_held = |place| self.of(place).all(|(unknown, weight)| weight == 0.0 || !self.free[unknown]);
+        Supports::new((0..self.of_coordinate.len()).map(is_held))
     }
 
     /// Coordinates of the contact.

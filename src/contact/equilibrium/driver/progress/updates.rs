@@ -12,7 +12,7 @@ use crate::contact::equilibrium::driver::asking::unknowns::dot;
 use crate::contact::equilibrium::driver::bodies::elastic::deformed;
 use crate::contact::evaluation::Contact;
 use crate::contact::results::ContactForces;
-use crate::contact::ties::TieChange;
+use crate::contact::ties::{HeldApart, Supports, TieChange};
 
 /// Work of the contact forces on the penetration, by that of the bodies' own forces, that does not matter: the part by which forces are
 /// too small.
@@ -75,6 +75,9 @@ pub(crate) struct Updates {
     pub(crate) found: Option<f64>,
     /// The bodies' own displacement, as a mean by the contact forces, where no penetration was asked for.
     displacement: Option<f64>,
+    supports: Option<Supports>,
+    /// Where supports hold what is tied apart.
+    held_apart: Option<HeldApart>,
 }
 
 impl Updates {
@@ -100,6 +103,8 @@ impl Updates {
             count: 0,
             found: None,
             displacement: None,
+            supports: None,
+            held_apart: None,
         }
     }
 
@@ -125,6 +130,12 @@ impl Updates {
     /// How much penetration there may be without a word where there is no multiplier.
     pub(crate) fn most_without(&self) -> Option<Most> {
         self.asked.map(Most::Asked).or(self.displacement.map(Most::OfDisplacement))
+    }
+
+    /// Where supports hold what is tied farther apart than was asked, or by what matters.
+    pub(crate) fn held_apart(&self) -> Option<HeldApart> {
+        let most = self.asked.or(self.displacement.map(|displacement| TOLD * displacement))?;
+        self.held_apart.filter(|found| found.jump > most)
     }
 
     /// What is to be said where each update still changed the forces.
@@ -175,7 +186,9 @@ impl Updates {
         if let Wanted::OnAverage { penetration, .. } = wanted {
             self.displacement = Some(penetration / NEGLIGIBLE);
         }
-        let update = match host.contact(move |contact| update(contact, &coords, wanted, reach, may)).await {
+        let supports = self.supports.get_or_insert_with(|| host.unknowns.supports()).clone();
+        let asked = Asked { wanted, reach, supports, may };
+        let update = match host.contact(move |contact| update(contact, &coords, asked)).await {
             Ok(update) => update,
             // With self-contact or another law the penetration stays what the law leaves.
             Err(Error::Unsupported { .. }) if self.asked.is_none() => {
@@ -186,7 +199,7 @@ impl Updates {
         };
         self.found = Some(update.penetration);
         self.are_ties_moving = update.are_ties_moving;
-        self.mean = update.mean;
+        (self.mean, self.held_apart) = (update.mean, update.held_apart);
         let is_far = self.displacement.is_some_and(|own| update.mean > TOLD * own);
         self.is_cut_short = !update.is_enough && !may && (is_changing || update.are_ties_moving || is_far);
         match self.asked {
@@ -272,26 +285,33 @@ struct Update {
     mean: f64,
     is_enough: bool,
     are_ties_moving: bool,
+    held_apart: Option<HeldApart>,
+}
+
+/// What is asked of one.
+struct Asked {
+    wanted: Wanted,
+    reach: f64,
+    supports: Supports,
+    may: bool,
 }
 
 /// Updates the multipliers where it may; else it measures the penetration alone.
 fn update<const D: usize>(
     contact: &mut Contact<D>,
     coords: &[[f64; D]],
-    wanted: Wanted,
-    reach: f64,
-    may: bool,
+    Asked { wanted, reach, supports, may }: Asked,
 ) -> Result<Update, Error> {
     if !may {
-        let (found, ties) = contact.left_of_penetration(coords, reach)?;
-        let are_ties_moving = wanted.are_moving(&ties);
-        let penetration = found.penetration;
+        let (found, ties) = contact.left_of_penetration(coords, reach, &supports)?;
+        let (are_ties_moving, held_apart) = (wanted.are_moving(&ties), ties.held_apart);
+        let (penetration, mean) = (found.penetration, found.mean_change);
         let is_enough = penetration <= wanted.of_all() && !are_ties_moving;
-        return Ok(Update { penetration, change: penetration, mean: found.mean_change, is_enough, are_ties_moving });
+        return Ok(Update { penetration, change: penetration, mean, is_enough, are_ties_moving, held_apart });
     }
-    let mut are_ties_moving = false;
-    let found = contact.augment_unless(coords, reach, |found, ties| {
-        are_ties_moving = wanted.are_moving(ties);
+    let (mut are_ties_moving, mut held_apart) = (false, None);
+    let found = contact.augment_unless(coords, reach, &supports, |found, ties| {
+        (are_ties_moving, held_apart) = (wanted.are_moving(ties), ties.held_apart);
         match wanted {
             Wanted::OfAll(wanted) => [found.penetration.max(found.change) <= wanted; 2],
             Wanted::OnAverage { penetration, .. } => {
@@ -300,5 +320,5 @@ fn update<const D: usize>(
         }
     })?;
     let Augmentation { penetration, change, mean_change: mean, is_enough, .. } = found;
-    Ok(Update { penetration, change, mean, is_enough, are_ties_moving })
+    Ok(Update { penetration, change, mean, is_enough, are_ties_moving, held_apart })
 }

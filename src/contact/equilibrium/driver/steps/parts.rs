@@ -14,6 +14,7 @@ use crate::contact::equilibrium::driver::progress::search::Search;
 use crate::contact::equilibrium::driver::progress::state::State;
 use crate::contact::equilibrium::driver::progress::within_facets::within_facets;
 use crate::contact::equilibrium::driver::told::held::held;
+use crate::contact::equilibrium::driver::told::held_apart::held_apart;
 use crate::contact::equilibrium::driver::told::locking::locking;
 use crate::contact::equilibrium::driver::told::overlaps::overlaps;
 use crate::contact::equilibrium::driver::told::rounded::rounded;
@@ -243,6 +244,9 @@ async fn finished<const D: usize>(
         search.warn(text);
     }
     for text in doubtful(search, &reached).await {
+        search.warn(text);
+    }
+    if let Some(text) = held_apart(search).await {
         search.warn(text);
     }
     for text in locking(search).await.into_iter().chain(held(search, &reached.state).await?) {
