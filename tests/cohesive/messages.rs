@@ -3,7 +3,7 @@
 use crate::{held, in_the_plane, law, moved};
 use fmc_contact::contact::{Cohesive, PairOptions, PointDamage};
 use fmc_contact::overlap::Partner::Body;
-use fmc_contact::{EnergyLaw, Error, Options};
+use fmc_contact::{EnergyLaw, Error, Obstacle, Options, Pose, Shape};
 
 fn refused(options: PairOptions, gap: f64) -> String {
     let mut contact = in_the_plane(gap)[0].contact(Options::new(EnergyLaw::depth(1.0)));
@@ -61,4 +61,27 @@ fn the_stiffest_interface_softens_by_the_closed_form() {
         let found = refused(PairOptions::with_cohesive(Cohesive { stiffness, ..law() }), 0.0);
         assert!(found.contains("above 5e9 strength² / energy"), "{found}");
     }
+}
+
+/// An interface has its own stiffness; all else that presses or holds needs that of the law.
+#[test]
+fn a_stiffness_is_asked_for_where_a_pair_needs_it() {
+    let scene = &in_the_plane(0.0)[0];
+    let coords = moved(scene, [0.0, 0.01]);
+    let pair = [Body(0), Body(1)];
+    let mut contact = scene.contact(Options::new(EnergyLaw::depth(0.0)));
+    assert!(matches!(contact.evaluate(&coords), Err(Error::NoStiffness)));
+    contact.set_pair_options(pair, Some(PairOptions::with_cohesive(law()))).expect("an interface");
+    contact.begin_step(&scene.coords).expect("a step");
+    let mut other = held(scene, law());
+    other.begin_step(&scene.coords).expect("a step");
+    let [own, given] = [&mut contact, &mut other].map(|contact| contact.evaluate(&coords).expect("forces").forces);
+    assert_eq!(own, given);
+    contact.set_pair_options(pair, Some(PairOptions::tied(0.1))).expect("a tie");
+    assert!(matches!(contact.evaluate(&coords), Err(Error::NoStiffness)));
+    contact.set_pair_options(pair, Some(PairOptions::with_law(EnergyLaw::depth(2.0)))).expect("a law");
+    contact.evaluate(&coords).expect("forces");
+    contact.set_pair_options(pair, Some(PairOptions::with_cohesive(law()))).expect("an interface");
+    contact.add_obstacle(Obstacle { shape: Shape::HalfSpace, pose: Pose::at([0.0, -1.0]) }).expect("an obstacle");
+    assert!(matches!(contact.evaluate(&coords), Err(Error::NoStiffness)));
 }

@@ -282,7 +282,7 @@ fn bearings<const D: usize>(
 ) -> Result<Option<Bearings>, Error> {
     let Contact { mesh, partners, method, history, .. } = contact;
     let options = method.options();
-    if !partners.has_friction(options) || partners.check_stiffness(options).is_err() {
+    if !partners.has_friction(options) || contact.check_stiffness().is_err() {
         return Ok(None);
     }
     let rules = partners.bearing_rules(options, mesh.hashes());

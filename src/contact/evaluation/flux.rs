@@ -17,7 +17,7 @@ pub(super) fn flux_in<const D: usize>(
     request: &FluxRequest,
 ) -> Result<Vec<Block<1>>, Error> {
     contact.mesh.surface.refuse_submesh("the flux through contact of a mesh in parts")?;
-    contact.partners.check_stiffness(contact.method.options())?;
+    contact.check_stiffness()?;
     let conductance = request.conductance;
     let rounding = 128.0 * f64::EPSILON * coords.as_flattened().iter().fold(0.0f64, |most, x| most.max(x.abs()));
     let reach = conductance.reach().max(rounding) + layer(contact);

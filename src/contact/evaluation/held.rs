@@ -22,6 +22,13 @@ impl<const D: usize> Contact<D> {
         self.has_ties() || self.has_history()
     }
 
+    /// Refuses a law whose stiffness nobody has given or found yet, where anything follows it.
+    pub(crate) fn check_stiffness(&self) -> Result<(), Error> {
+        let options = self.method.options();
+        let is_needed = || self.ties.has_added() || self.partners.need_stiffness(options, self.surface().body_count());
+        if self.partners.has_stiffness(options) || !is_needed() { Ok(()) } else { Err(Error::NoStiffness) }
+    }
+
     /// Has something asked at points of the mesh.
     pub(crate) fn at_points<T>(&self, points: &[[f64; D]], ask: impl FnOnce(At<D>) -> T) -> T {
         ask(At { points, stiffness: &|pair| self.stiffness_of_tie(pair), past: self.past() })

@@ -9,7 +9,7 @@ use crate::overlap::Partner;
 
 /// Refuses a law without a stiffness, and friction before a step has begun.
 pub(crate) fn check_ready<const D: usize>(contact: &Contact<D>) -> Result<(), Error> {
-    contact.partners.check_stiffness(contact.method.options())?;
+    contact.check_stiffness()?;
     let has_friction = contact.partners.has_friction(contact.method.options());
     if has_friction && contact.history.step.is_none() { Err(Error::NoStep) } else { Ok(()) }
 }

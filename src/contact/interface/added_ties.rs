@@ -66,7 +66,7 @@ impl<const D: usize> Contact<D> {
     /// [`Error::NoSuchNumber`], [`Error::Untied`], [`Error::Length`], [`Error::NonFiniteCoordinate`], [`Error::NoStiffness`].
     pub fn tie_force(&self, tie: usize, coords: &[[f64; D]]) -> Result<[f64; D], Error> {
         let (tie, multipliers, sign) = self.ties.of_number(tie)?;
-        self.partners.check_stiffness(self.method.options())?;
+        self.check_stiffness()?;
         let points = self.mesh.points(coords)?;
         let stiffness = self.stiffness_of_tie(tie.bodies.map(Partner::Body));
         Ok((tie.at(&points, stiffness, multipliers).force() * sign).into())

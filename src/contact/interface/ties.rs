@@ -30,7 +30,7 @@ impl<const D: usize> Contact<D> {
     /// # Errors
     /// [`Error::Length`], [`Error::NonFiniteCoordinate`], [`Error::NoStiffness`], [`Error::Untied`].
     pub fn tie_nodes(&self, coords: &[[f64; D]]) -> Result<Vec<TieNode<D>>, Error> {
-        self.partners.check_stiffness(self.method.options())?;
+        self.check_stiffness()?;
         let points = self.mesh.points(coords)?;
         self.mesh.surface.check_coords(&points, false)?;
         let mut found = Vec::new();

@@ -99,10 +99,16 @@ impl<const D: usize> Partners<D> {
         }
     }
 
-    /// Refuses a law whose stiffness nobody has given or found yet.
-    pub(crate) fn check_stiffness(&self, options: &Options) -> Result<(), Error> {
-        let is_unknown = options.law.is_without_stiffness() && self.layers.is_none();
-        if is_unknown { Err(Error::NoStiffness) } else { Ok(()) }
+    /// Whether pairs that follow the law of the options have a stiffness, given or found.
+    pub(crate) fn has_stiffness(&self, options: &Options) -> bool {
+        !options.law.is_without_stiffness() || self.layers.is_some()
+    }
+
+    /// Whether there are such pairs among those of so many bodies.
+    pub(crate) fn need_stiffness(&self, options: &Options, body_count: usize) -> bool {
+        let obstacles = self.obstacles.iter().flatten().count();
+        let all = body_count * body_count.saturating_sub(1) / 2 + body_count * obstacles;
+        options.self_contact || self.table.need_stiffness(all)
     }
 
     /// Stiffness of the layers below the surfaces, where it was set.

@@ -175,6 +175,11 @@ impl PairOptions {
         !self.excluded && (!is_held || self.surfaces.is_some())
     }
 
+    /// Whether the stiffness of the law matters: where the two press, are tied, or do not separate. An interface that breaks has its own.
+    pub(crate) fn needs_stiffness(&self) -> bool {
+        self.is_in_contact() || matches!(self.held(), Interface::Tied { .. } | Interface::NoSeparation { .. })
+    }
+
     /// A pair with a law of its own.
     pub fn with_law(law: EnergyLaw) -> Self {
         Self { law: Some(law), ..Self::default() }

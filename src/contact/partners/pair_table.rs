@@ -69,6 +69,14 @@ impl<const D: usize> PairTable<D> {
         self.0.get(pair)?.law.as_deref()
     }
 
+    /// Whether any of so many pairs, beside those of a body with itself, follows the law of the options: those in the table may have their own, or need none.
+    pub(crate) fn need_stiffness(&self, pair_count: usize) -> bool {
+        let needs = |entry: &Entry<D>| entry.law.is_none() && entry.options.needs_stiffness();
+        let (with_itself, others): (Vec<_>, Vec<_>) = self.0.iter().partition(|([a, b], _)| a == b);
+        let count = others.iter().filter(|(_, entry)| !needs(entry)).count();
+        count < pair_count || with_itself.iter().any(|(_, entry)| needs(entry))
+    }
+
     /// What stands for the obstacle of the pair, if its contact begins at a distance.
     pub(crate) fn parallel(&self, pair: &[Partner; 2]) -> Option<&Parallel<D>> {
         self.0.get(pair)?.parallel.as_ref()
