@@ -2,7 +2,8 @@
 
 use crate::scene::Scene;
 use crate::scene::table::exactly;
-use fmc_contact::contact::{Friction, TangentPart};
+use fmc_contact::contact::{Cohesive, Friction, PairOptions, TangentPart};
+use fmc_contact::overlap::Partner::Body;
 use fmc_contact::{Contact, EnergyLaw, Error, Obstacle, Options, Pose, Shape};
 use fmc_shapes::rectangle_quad4;
 
@@ -129,4 +130,28 @@ fn offsets_make_no_slip_and_refusals_change_nothing() {
     assert_eq!(contact.offsets(), upper);
     contact.set_offsets(&[]).expect("none");
     assert!(contact.offsets().iter().all(|offset| *offset == [0.0; 2]));
+}
+
+/// Bodies that are held together keep their gap: adjusting them later would do nothing. Adjusted first, they have none.
+#[test]
+fn what_is_held_together_across_a_gap_is_adjusted_first() {
+    let scene = blocks(0.02);
+    let pair = [Body(0), Body(1)];
+    let held = [
+        PairOptions::tied(0.1),
+        PairOptions::no_separation(0.1),
+        PairOptions::with_cohesive(Cohesive { reach: 0.1, ..Cohesive::new(1.0, 0.1) }),
+    ];
+    for options in held {
+        let mut contact = scene.contact(Options::new(EnergyLaw::depth(K)));
+        contact.set_pair_options(pair, Some(options)).expect("an interface");
+        let refused = contact.adjust(&scene.coords, 0.05, 0.0).expect_err("no adjustment").to_string();
+        assert!(refused.contains("body 0 and body 1") && refused.contains("adjust first"), "{refused}");
+        assert!(contact.offsets().iter().all(|offset| *offset == [0.0; 2]));
+        contact.set_pair_options(pair, None).expect("a contact");
+        assert!(contact.adjust(&scene.coords, 0.05, 0.0).expect("an adjustment").count > 0);
+        contact.set_pair_options(pair, Some(options)).expect("an interface");
+        // What the adjustment left is no gap.
+        contact.adjust(&scene.coords, 0.05, 0.0).expect("an adjustment");
+    }
 }

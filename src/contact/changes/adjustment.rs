@@ -10,6 +10,9 @@ use std::collections::BTreeSet;
 /// Passes over all points: both sides of a pair go half of the way, which leaves half of a mean of means each time.
 const PASSES: usize = 12;
 
+/// Gap of bodies that are held together, by the lengths to be closed and removed, that is none: what meshes that do not match leave.
+const CLOSED: f64 = 1e-3;
+
 /// What is as large as was said may be larger by rounding.
 const ROUNDED: f64 = 1.0 + 1e-6;
 
@@ -36,12 +39,34 @@ pub(crate) fn adjust<const D: usize>(
     Error::check_not_negative("close", close)?;
     Error::check_not_negative("remove", remove)?;
     contact.mesh.surface.refuse_submesh("offsets of a part of a mesh")?;
+    refuse_held(contact, CLOSED * close.max(remove))?;
     let before = contact.mesh.offsets().clone();
     let found = adjusted(contact, coords, close, remove);
     let after = contact.mesh.replace_offsets(before);
     let found = found?;
     replace(contact, after);
     Ok(found)
+}
+
+/// Refuses bodies that are held together across a larger gap, which they keep: nothing would be closed.
+fn refuse_held<const D: usize>(contact: &Contact<D>, gap: f64) -> Result<(), Error> {
+    let Contact { ties, glides, cohesions, governed, .. } = contact;
+    let ties = ties.all().flatten().filter(|(tie, _)| tie.period == Vector::<D>::zeros());
+    let ties = ties.map(|(tie, _)| (tie.bodies, tie.largest_gap));
+    let glides = glides.all().flatten().map(|(glide, _)| &glide.first);
+    let glides = glides.map(|first| (first.between.bodies, first.largest_gap));
+    let governed = governed.all().flatten().map(|(governed, _)| &governed.points);
+    let points = cohesions.all().flatten().map(|(cohesion, _)| cohesion).chain(governed);
+    let points = points.map(|cohesion| (cohesion.bodies, cohesion.largest_gap));
+    match ties.chain(glides).chain(points).find(|(_, kept)| *kept > gap) {
+        Some((bodies, _)) if gap > 0.0 => Err(Error::OfPair {
+            sides: bodies.map(|body| ("body", body)),
+            cause: Box::new(Error::Unsupported {
+                what: "an adjustment of bodies that are held together already, and keep their gap: adjust first, then tie or glue them",
+            }),
+        }),
+        _ => Ok(()),
+    }
 }
 
 /// The same on the contact itself, which the caller puts back where this fails.

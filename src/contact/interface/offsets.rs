@@ -14,8 +14,8 @@ impl<const D: usize> Contact<D> {
     /// [`Self::set_offsets`], at last none. The vectors do not turn with bodies.
     ///
     /// # Errors
-    /// [`Error::NotPositive`] for a length that is negative or no number; [`Error::Unsupported`] for a mesh in parts; else as
-    /// [`Self::gap_constraints`]. Surfaces then lie where they did.
+    /// [`Error::NotPositive`] for a length that is negative or no number; [`Error::Unsupported`] for a mesh in parts; [`Error::OfPair`] for bodies that
+    /// are held together already across a gap, which they keep: adjust first; else as [`Self::gap_constraints`]. Surfaces then lie where they did.
     pub fn adjust(&mut self, coords: &[[f64; D]], close: f64, remove: f64) -> Result<Adjustment, Error> {
         adjustment::adjust(self, coords, close, remove)
     }
