@@ -193,3 +193,32 @@ def test_an_interface_that_locks_is_told(upper, is_told):
         glued.load[first : first + basis.N] = 1e-6 * LinearForm(lambda v, w: v[1]).assemble(basis)
     told = [str(warning) for warning in glued.step().warnings if "cells do not match" in str(warning)]
     assert bool(told) == is_told and all("body 0 and body 1" in text for text in told)
+
+
+@pytest.mark.parametrize("length", [1.0, 2.0])
+def test_a_broken_joint_is_closed_to_nothing(length):
+    # Opened to where the traction ends, 2 G / sigma, and put back: the forces at the start of the last step are rounding.
+    bases = []
+    for low, count in ((0.0, 3), (1.0, 4)):
+        mesh = MeshQuad.init_tensor(np.linspace(0, length, count + 1), np.linspace(low, low + 1, 3))
+        bases.append(Basis(mesh, ElementVector(ElementQuad1()), intorder=4))
+    starts = (0, bases[0].N, bases[0].N + bases[1].N)
+    # Poisson's ratio 0.
+    matrix = block_diag([linear_elasticity(0.0, 0.5).assemble(basis) for basis in bases], format="csr")
+    contact = SkfemContact(list(zip(bases, starts)))
+    contact.contact.pairs.set(0, 1, interface="cohesive", normal_strength=2e-3, normal_energy=2e-5)
+    free, u = np.ones(starts[-1], bool), np.zeros(starts[-1])
+    for basis, first in zip(bases, starts):
+        free[first + basis.get_dofs(lambda x: x[0] < 1e-9).all("u^1")] = False
+    free[bases[0].get_dofs(lambda x: x[1] < 1e-9).all("u^2")] = False
+    top = starts[1] + bases[1].get_dofs(lambda x: x[1] > 2 - 1e-9).all("u^2")
+    free[top] = False
+    for opening in (0.01, 0.02, 0.004, 0.0):
+        prescribed = np.where(free, u, 0.0)
+        prescribed[top] = opening
+        found = find_equilibrium(lambda u: (matrix @ u, matrix), contact, u, free, prescribed)
+        u = found.x
+        contact.commit_step(u)
+        assert found.iterations <= 3, (opening, found.iterations)
+    assert contact.contact.cohesive.damage[:, 0].min() > 1 - 1e-9
+    assert np.abs(u).max() < 1e-12 and np.abs(found.reactions).max() < 1e-12

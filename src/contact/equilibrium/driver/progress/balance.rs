@@ -66,7 +66,9 @@ impl Balance {
     ) -> Result<(), Trouble> {
         let rounding = self.rounding(host, assembly, start).await?;
         let scale = start.scale(&rounding.of_state);
-        if start.beyond(host, &rounding.of_state) <= BALANCED * scale {
+        // Forces no larger than the rounding of coordinates are no load to measure by.
+        let is_loaded = start.scale(&rounding.of_coordinates) > 0.0;
+        if is_loaded && start.beyond(host, &rounding.of_state) <= BALANCED * scale {
             self.at_start = scale;
         }
         Ok(())
