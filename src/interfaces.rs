@@ -5,7 +5,7 @@
 //! facet turns) · `hold` (by which side) · `tie` (the rows of a tie) · `tie_energy` (its energy, forces and tangent) · `supported` (rows of a tie where supports hold both sides) · `cohesive_law` (how an
 //! interface breaks) · `ppr_law` (another way) · `point_state` (what its points carry on) · `broken_friction` (where it is broken) · `cohesion` (its points) · `cohesive_energy` (as of a tie) · `glide` (surfaces that slide and do not separate) ·
 //! `glide_energy` (as of a tie) · `interface_law` (a law of the host), `law_check` (whether it is one) · `governed` (an interface that follows one), `governed_energy` (as of a tie), with `axes` (normal and axes of a
-//! facet) · `square` (second derivatives by the nodes of a piece)
+//! facet) · `square` (second derivatives by the nodes of a piece) · `sums_by_node` (of a row)
 
 mod axes;
 mod between;
@@ -30,6 +30,7 @@ mod place;
 mod point_state;
 mod ppr_law;
 mod square;
+mod sums_by_node;
 mod supported;
 mod tie;
 mod tie_energy;

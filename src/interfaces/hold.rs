@@ -5,6 +5,7 @@ use crate::geometry::components::Components;
 use crate::geometry::{Vector, cross_matrix};
 use nalgebra::{Matrix3, Vector3};
 use std::collections::BTreeMap;
+use std::rc::Rc;
 
 /// A point of a tie.
 pub(super) struct TiedPoint<const D: usize> {
@@ -13,14 +14,14 @@ pub(super) struct TiedPoint<const D: usize> {
     /// Hat functions of the side that holds.
     pub(super) hats: Weights,
     /// Points of the mesh that move the facet of the other side.
-    pub(super) other: Vec<u32>,
+    pub(super) other: Rc<[u32]>,
 }
 
 /// Part of their energy by the jump itself that the means leave to the rotations of patches, at least: 1/3 for a patch that is one whole facet,
 /// (s/h)² for one of size s in the midst of a facet of size h, which would turn as on a hinge. Patches are what hangs together on the other
 /// side.
 pub(super) fn firmness<const D: usize>(points: &[TiedPoint<D>]) -> f64 {
-    let count = points.iter().flat_map(|point| &point.other).copied().max().map_or(0, |last| last as usize + 1);
+    let count = points.iter().flat_map(|point| point.other.iter()).copied().max().map_or(0, |last| last as usize + 1);
     let mut patches = Components::new(count);
     for point in points {
         for &node in &point.other[1..] {
@@ -83,7 +84,7 @@ mod tests {
                 x: Vector::<2>::new(x, 3.0),
                 measure: step,
                 hats: vec![(0, 1.0 - x), (1, x)],
-                other: vec![0, 1],
+                other: Rc::from([0, 1]),
             }
         };
         firmness(&(0..count).map(point).collect::<Vec<_>>())

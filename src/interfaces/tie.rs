@@ -12,10 +12,12 @@ use super::covered::{Covered, LeftOut};
 use super::hold::{TiedPoint, firmness};
 use super::opposite::Opposite;
 use super::place::{Weights, of_vertices, place_of};
+use super::sums_by_node::SumsByNode;
 use crate::Error;
 use crate::geometry::facet::area_vector;
 use crate::geometry::{Surface, Vector, Weighting};
 use std::collections::BTreeMap;
+use std::rc::Rc;
 use std::sync::OnceLock;
 
 /// How firmly means hold the rotations of patches, at least, so that those of the larger facets are taken.
@@ -72,13 +74,13 @@ struct Sums<const D: usize> {
     facet: usize,
     measure: f64,
     normal: Vector<D>,
-    jump: BTreeMap<(bool, u32), f64>,
+    jump: SumsByNode,
     gaps: BTreeMap<usize, f64>,
 }
 
 impl<const D: usize> Default for Sums<D> {
     fn default() -> Self {
-        Self { facet: 0, measure: 0.0, normal: Vector::zeros(), jump: BTreeMap::new(), gaps: BTreeMap::new() }
+        Self { facet: 0, measure: 0.0, normal: Vector::zeros(), jump: SumsByNode::default(), gaps: BTreeMap::new() }
     }
 }
 
@@ -145,40 +147,48 @@ impl<'a, const D: usize> Build<'a, D> {
             pairs.push(piece.facets);
         }
         let normal = area_vector(&facing.corners(here)).try_normalize(0.0).unwrap_or_else(Vector::zeros);
+        let nodes = surface.facets[there].iter().flat_map(|&vertex| surface.nodes_of_vertex(vertex));
+        let nodes: Rc<[u32]> = nodes.map(|(node, _)| node).collect();
+        // All points of a piece hang on the same nodes.
+        let mut places = Vec::new();
         facing.for_each_opposite(points, *weighting, piece, |point| {
             let Opposite { straight, measure, own, other, gap, at } = point;
             *area += measure;
             *largest_gap = largest_gap.max(gap.abs());
             let hats = of_vertices(surface, here, &at);
-            let nodes = surface.facets[there].iter().flat_map(|&vertex| surface.nodes_of_vertex(vertex));
-            let nodes = nodes.map(|(node, _)| node).collect();
-            tied.push(TiedPoint { x: straight, measure, hats: hats.clone(), other: nodes });
-            for (point, hat) in hats {
+            places.resize(places.len().max(hats.len() * (own.len() + other.len())), 0);
+            let mut places = places.iter_mut();
+            for &(point, hat) in &hats {
                 let sums = sums.entry(point).or_default();
                 sums.facet = here;
                 sums.measure += hat * measure;
                 sums.normal += normal * (hat * measure);
-                own.iter().for_each(|(node, w)| *sums.jump.entry((false, *node)).or_default() += hat * measure * w);
-                other.iter().for_each(|(node, w)| *sums.jump.entry((true, *node)).or_default() -= hat * measure * w);
+                let own = own.iter().map(|&(node, w)| ((false, node), hat * measure * w));
+                let other = other.iter().map(|&(node, w)| ((true, node), -(hat * measure * w)));
+                for ((key, value), last) in own.chain(other).zip(&mut places) {
+                    sums.jump.add(key, value, last);
+                }
                 if gap != 0.0 {
                     *sums.gaps.entry(there).or_default() += hat * measure * gap;
                 }
             }
+            tied.push(TiedPoint { x: straight, measure, hats, other: Rc::clone(&nodes) });
         });
     }
 
-    fn finish(self, bodies: [usize; 2], is_second: bool) -> Result<Tie<D>, Error> {
+    fn finish(mut self, bodies: [usize; 2], is_second: bool) -> Result<Tie<D>, Error> {
         self.covered.check()?;
         if self.area <= 0.0 {
             return Err(self.facing.untied(bodies, "tied"));
         }
         let left_out = self.covered.left_out(self.facing, self.weighting, self.area);
         let surface = self.facing.surface;
+        self.sums.values_mut().for_each(|sums| sums.jump.sort());
         let mut numbers: BTreeMap<(bool, u32), u32> = BTreeMap::new();
         let mut frames: BTreeMap<usize, u32> = BTreeMap::new();
         for sums in self.sums.values() {
             // Those of the first body of the pair come first.
-            numbers.extend(sums.jump.keys().map(|&(is_other, node)| ((is_other != is_second, node), 0)));
+            numbers.extend(sums.jump.entries.iter().map(|&((is_other, node), _)| ((is_other != is_second, node), 0)));
             for &facet in sums.gaps.keys() {
                 frames.insert(facet, 0);
                 for (node, _) in surface.facets[facet].iter().flat_map(|&vertex| surface.nodes_of_vertex(vertex)) {
@@ -193,8 +203,9 @@ impl<'a, const D: usize> Build<'a, D> {
             measure: sums.measure,
             jump: sums
                 .jump
+                .entries
                 .iter()
-                .map(|(&(is_other, node), w)| (numbers[&(is_other != is_second, node)], *w))
+                .map(|((is_other, node), w)| (numbers[&(*is_other != is_second, *node)], *w))
                 .collect(),
             gaps: sums.gaps.iter().map(|(facet, gap)| (frames[facet], *gap)).collect(),
             place: place_of(surface, sums.facet, point, self.points),
