@@ -1119,8 +1119,8 @@ typedef struct {
 
 // A law of the host: writes tractions, tangents and history at all points of a pair in `response`. `user` is the pointer given with it.
 //
-// Return 0; any other value makes the call of the library fail with `FMC_ERROR_INTERFACE_LAW`, naming point i of the pair for the value i
-// + 1. It is called on the thread that evaluates, never from two threads at once. Pairs follow one another in ascending order, with the
+// Return 0; any other value makes the call of the library fail with `FMC_ERROR_INTERFACE_LAW`, naming point i of the pair for the value
+// i + 1. It is called on the thread that evaluates, never from two threads at once. Pairs follow one another in ascending order, with the
 // points in the order of `fmc_context_law_points`. Where ranks share the work, it is called on every rank with all points. The same input
 // must have a bit-for-bit identical answer. It must not call a function of the same context (it would get `FMC_ERROR_BUSY`), throw, or
 // jump out.
@@ -1216,8 +1216,8 @@ typedef struct {
 
 // A law of friction of the host: writes the limits of all facets of a pair in `response`. `user` is the pointer given with it.
 //
-// Return 0; any other value makes the call of the library fail with `FMC_ERROR_INTERFACE_LAW`, naming facet i of the call for the value i
-// + 1. It is called on the thread that evaluates, never from two threads at once. Pairs follow one another in ascending order. Where ranks
+// Return 0; any other value makes the call of the library fail with `FMC_ERROR_INTERFACE_LAW`, naming facet i of the call for the value
+// i + 1. It is called on the thread that evaluates, never from two threads at once. Pairs follow one another in ascending order. Where ranks
 // share the work, it is called on every rank with all facets. The same input must have a bit-for-bit identical answer. It must not call a
 // function of the same context (it would get `FMC_ERROR_BUSY`), throw, or jump out.
 typedef int32_t (*fmc_limit_friction)(void *user, const fmc_friction_facets *at, const fmc_friction_response *response);
@@ -2890,8 +2890,8 @@ fmc_status fmc_nodal_contact_init(fmc_nodal_contact *nodal);
 // output arrays. The nodal force without its friction is -pressure * area * normal, to rounding.
 //
 // With cells of second order a node has the values of its point of the division, with the straight shape function of this
-// point. Shape functions of second order are negative in places, and have no mean at a corner. Forces at points, -pressure
-// * area * normal, then differ from the forces at nodes. They do not add up to the resultant where faces have no node in
+// point. Shape functions of second order are negative in places, and have no mean at a corner. Forces at points,
+// -pressure * area * normal, then differ from the forces at nodes. They do not add up to the resultant where faces have no node in
 // their middle, because points without a node are not written.
 //
 // It measures the contact again, with the current pressure even where friction is frozen, and changes no other result of the

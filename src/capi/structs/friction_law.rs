@@ -86,8 +86,8 @@ pub struct fmc_friction_response {
 
 /// A law of friction of the host: writes the limits of all facets of a pair in `response`. `user` is the pointer given with it.
 ///
-/// Return 0; any other value makes the call of the library fail with `FMC_ERROR_INTERFACE_LAW`, naming facet i of the call for the value i
-/// + 1. It is called on the thread that evaluates, never from two threads at once. Pairs follow one another in ascending order. Where ranks
+/// Return 0; any other value makes the call of the library fail with `FMC_ERROR_INTERFACE_LAW`, naming facet i of the call for the value
+/// i + 1. It is called on the thread that evaluates, never from two threads at once. Pairs follow one another in ascending order. Where ranks
 /// share the work, it is called on every rank with all facets. The same input must have a bit-for-bit identical answer. It must not call a
 /// function of the same context (it would get `FMC_ERROR_BUSY`), throw, or jump out.
 pub type fmc_limit_friction = Option<

@@ -77,8 +77,8 @@ pub struct fmc_law_response {
 
 /// A law of the host: writes tractions, tangents and history at all points of a pair in `response`. `user` is the pointer given with it.
 ///
-/// Return 0; any other value makes the call of the library fail with `FMC_ERROR_INTERFACE_LAW`, naming point i of the pair for the value i
-/// + 1. It is called on the thread that evaluates, never from two threads at once. Pairs follow one another in ascending order, with the
+/// Return 0; any other value makes the call of the library fail with `FMC_ERROR_INTERFACE_LAW`, naming point i of the pair for the value
+/// i + 1. It is called on the thread that evaluates, never from two threads at once. Pairs follow one another in ascending order, with the
 /// points in the order of `fmc_context_law_points`. Where ranks share the work, it is called on every rank with all points. The same input
 /// must have a bit-for-bit identical answer. It must not call a function of the same context (it would get `FMC_ERROR_BUSY`), throw, or
 /// jump out.

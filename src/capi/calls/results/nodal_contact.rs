@@ -25,8 +25,8 @@ pub unsafe extern "C" fn fmc_nodal_contact_init(nodal: *mut fmc_nodal_contact) -
 /// output arrays. The nodal force without its friction is -pressure * area * normal, to rounding.
 ///
 /// With cells of second order a node has the values of its point of the division, with the straight shape function of this
-/// point. Shape functions of second order are negative in places, and have no mean at a corner. Forces at points, -pressure
-/// * area * normal, then differ from the forces at nodes. They do not add up to the resultant where faces have no node in
+/// point. Shape functions of second order are negative in places, and have no mean at a corner. Forces at points,
+/// -pressure * area * normal, then differ from the forces at nodes. They do not add up to the resultant where faces have no node in
 /// their middle, because points without a node are not written.
 ///
 /// It measures the contact again, with the current pressure even where friction is frozen, and changes no other result of the
