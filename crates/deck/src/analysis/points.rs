@@ -75,7 +75,8 @@ pub(super) fn freedom<const D: usize>(
             };
             let leader = references.iter().find(leads).filter(|_| asked.is_motion);
             return match (axis, leader) {
-                (3.., _) if asked.is_named => Ok(None),
+                // Solids do not turn: what holds a turn holds nothing there.
+                (3.., _) if is_at_rest => Ok(None),
                 (3.., _) => refused(format!(
                     "degree of freedom {number} is not known, only 1, 2 and 3: node {label} belongs to a solid and does not turn"
                 )),

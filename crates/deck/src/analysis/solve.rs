@@ -91,6 +91,7 @@ impl<'a, const D: usize> Analysis<'a, D> {
         let planes = planes(bodies, &held);
         let free_on_axis = on_axis(deck, bodies, &held);
         let adjust = adjustment(deck, bodies)?;
+        let left_out = state.left_out;
         let state = State::new(deck, bodies)?;
         let sets = deck
             .reactions
@@ -99,7 +100,7 @@ impl<'a, const D: usize> Analysis<'a, D> {
         let sets = sets.collect::<Result<_, Fault>>()?;
         let apart = state.references.iter().filter(|reference| reference.own.is_none() && reference.has_motion());
         let order = [places.nodes.clone(), places.cells.clone(), apart.map(|reference| reference.node).collect()];
-        let notes = [&pairs.notes[..], free_on_axis.as_slice()].concat();
+        let notes = [&pairs.notes[..], free_on_axis.as_slice(), left_out.as_slice()].concat();
         let notes = super::notes::notes(deck, &notes, places.is_finite)?;
         Ok(Self { deck, model, places, state, pairs, sets, stiffness, planes, adjust, options, order, notes })
     }

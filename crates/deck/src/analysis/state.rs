@@ -10,7 +10,7 @@ use super::spread::{Faces, faces, spread};
 use super::thickness::thickness;
 use super::timed::{Timed, When};
 use crate::Fault;
-use crate::read::{Amplitude, Boundary, Deck, Load, LoadKind, Step};
+use crate::read::{Amplitude, Boundary, Deck, Load, LoadKind, Note, Step};
 use fmc_solid::fem::Constraints;
 use fmc_solid::statics::{Equilibrium, Follower, Rigid};
 use std::collections::{BTreeMap, BTreeSet};
@@ -51,6 +51,8 @@ pub(super) struct State<const D: usize> {
     /// By set and kind.
     spread: BTreeMap<String, SpreadLoad<D>>,
     end: When,
+    /// The first node of a solid whose turns a row holds by their numbers, and what is said of it.
+    pub(super) left_out: Option<Note>,
 }
 
 impl<const D: usize> State<D> {
@@ -72,6 +74,7 @@ impl<const D: usize> State<D> {
             forces: BTreeMap::new(),
             spread: BTreeMap::new(),
             end: When { time: 0.0, period: 0.0, begun: 0.0 },
+            left_out: None,
         };
         for row in &deck.initial.boundaries {
             state.hold(deck, bodies, row)?;
@@ -306,7 +309,10 @@ impl<const D: usize> State<D> {
         for point in points(deck, bodies, &self.references, (&row.set, row.line))? {
             for axis in row.axes[0]..=row.axes[1] {
                 let place = freedom((deck, bodies), &self.references, (point, axis), &asked)?;
-                let Some(place) = place else { continue };
+                let Some(place) = place else {
+                    self.leave_out((deck, bodies), (point, axis), row);
+                    continue;
+                };
                 let before = self.supports.get(&place).or_else(|| self.released.get(&place));
                 let start = before.map_or(0.0, |(value, _)| value.first(self.end));
                 let value = Timed::new(start, row.value, amplitude.clone());
@@ -326,6 +332,19 @@ impl<const D: usize> State<D> {
             }
         }
         Ok(())
+    }
+
+    /// Says once that nodes of solids do not turn, where a row does not name its degrees of freedom by a word.
+    fn leave_out(&mut self, (deck, bodies): (&Deck, Bodies<D>), (point, axis): (Point, usize), row: &Boundary) {
+        if let (Point::Node(node), 3..) = (point, axis)
+            && !row.is_named
+            && self.left_out.is_none()
+        {
+            let label = deck.mesh.node_tags[bodies.places.nodes[node]];
+            let message =
+                format!("degrees of freedom 4 to 6 of nodes of solids, as {label}, are left out: these do not turn");
+            self.left_out = Some(Note { line: row.line, message });
+        }
     }
 
     fn load(&mut self, deck: &Deck, bodies: Bodies<D>, load: &Load) -> Result<(), Fault> {

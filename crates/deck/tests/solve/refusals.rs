@@ -24,7 +24,7 @@ fn what_is_not_known_is_named_by_its_line() {
         ),
         ("BOTTOM, 2, 2", "BUTTON, 2, 2", "there is no node set 'BUTTON'"),
         ("BOTTOM, 2, 2", "4711, 2, 2", "there is no node 4711"),
-        ("BOTTOM, 2, 2", "BOTTOM, 4, 4", "degree of freedom 4 is not known"),
+        ("BOTTOM, 2, 2", "BOTTOM, 4, 4, 0.1", "degree of freedom 4 is not known"),
         ("UTOP, P3, 10.", "UTOP, P5, 10.", "element 104 of type CPE4 has no face P5; its faces are P1 to P4"),
         ("UTOP, P3, 10.", "UTOP, P1, 10.", "inside of a body"),
         ("UTOP, P3, 10.", "UTOP, P3NU, 10.", "a load 'P3NU' is not known"),

@@ -215,7 +215,7 @@ fn what_reference_nodes_cannot_do_is_refused_by_line() {
         ),
         ("REF, 1, 2", "REF, 1, 2\nPUNCH_LOW, 1", "follows the reference node 900 of *RIGID BODY of line"),
         ("REF, 1, 2", "REF, 1, 7", "degree of freedom 7 is not known, only 1 to 6"),
-        ("BASE_LOW, 1, 3", "BASE_LOW, 1, 4", "degree of freedom 4 is not known, only 1, 2 and 3"),
+        ("BASE_LOW, 1, 3", "BASE_LOW, 1, 4, 0.1", "degree of freedom 4 is not known, only 1, 2 and 3"),
         (
             "BASE_LOW, 1, 3",
             "BASE_LOW, 1, 3\n*NODE\n950, 0., 0., 0.\n*BOUNDARY\n950, 1",

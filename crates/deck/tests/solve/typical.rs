@@ -50,3 +50,29 @@ fn keywords_that_change_nothing_are_told() {
         assert!(messages.contains(&expected), "{expected}: {messages:?}");
     }
 }
+
+/// What is said of the squares with a change.
+fn notes_of(name: &str, text: &str) -> Vec<String> {
+    let file = std::env::temp_dir().join(format!("fmc-deck-{name}-{}.inp", std::process::id()));
+    std::fs::write(&file, text).unwrap();
+    let deck = Deck::read(&file).unwrap();
+    std::fs::remove_file(file).unwrap();
+    let notes = Analysis::<2>::new(&deck, SolveOptions::default()).unwrap().notes;
+    notes.into_iter().map(|note| note.message).collect()
+}
+
+/// PrePoMax and FreeCAD hold solids by `1, 6`, or by 1 to 3 and 4 to 6: the latter hold nothing there.
+#[test]
+fn turns_of_solids_are_left_out() {
+    let plain = solved_text::<2>("held", &squares());
+    for held in ["1, 1, 6\n2, 1, 6\n", "1, 1, 2\n2, 1, 2\n1, 4, 6, 0.\n2, 4\n"] {
+        let text = squares().replace("1, 1, 2\n2, 1, 2\n", held);
+        assert_ne!(text, squares());
+        assert_eq!(solved_text::<2>("held", &text).displacement, plain.displacement, "{held}");
+        let said = notes_of("held-notes", &text);
+        let about = said.iter().filter(|note| note.contains("nodes of solids, as 1, are left out")).count();
+        assert_eq!(about, 1, "{said:?}");
+    }
+    let turned = said(&squares().replace("1, 1, 2\n", "1, 1, 2\n1, 6, 6, 0.1\n"), "turned.inp");
+    assert!(turned.contains("node 1 belongs to a solid and does not turn"), "{turned}");
+}
