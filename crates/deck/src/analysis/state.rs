@@ -6,7 +6,8 @@ use super::follow::{self, Borne, Moved, ReferenceResult, Stage, Values};
 use super::levers::Lever;
 use super::points::{Asked, Freedom, Point, freedom, points};
 use super::references::{Reference, Way, references};
-use super::spread::{Faces, faces, spread};
+use super::spread::{Faces, faces};
+use super::spread_loads::{SpreadLoads, two_amplitudes};
 use super::thickness::thickness;
 use super::timed::{Timed, When};
 use crate::Fault;
@@ -14,16 +15,6 @@ use crate::read::{Amplitude, Boundary, Deck, Load, LoadKind, Note, Step};
 use fmc_solid::fem::Constraints;
 use fmc_solid::statics::{Equilibrium, Follower, Rigid};
 use std::collections::{BTreeMap, BTreeSet};
-
-/// A load on faces or volumes.
-struct SpreadLoad<const D: usize> {
-    line: usize,
-    value: Timed,
-    forces: Vec<[f64; D]>,
-    faces: BTreeSet<Vec<u32>>,
-    /// The set on which it acts as gravity.
-    pulled: Option<String>,
-}
 
 /// What holds and drives the bodies.
 pub(super) struct Driven<const D: usize> {
@@ -48,8 +39,7 @@ pub(super) struct State<const D: usize> {
     /// What was held until the step released it: where it starts, if the step holds it again.
     released: Values,
     forces: Values,
-    /// By set and kind.
-    spread: BTreeMap<String, SpreadLoad<D>>,
+    spread: SpreadLoads<D>,
     end: When,
     /// The first node of a solid whose turns a row holds by their numbers, and what is said of it.
     pub(super) left_out: Option<Note>,
@@ -72,7 +62,7 @@ impl<const D: usize> State<D> {
             supports: BTreeMap::new(),
             released: BTreeMap::new(),
             forces: BTreeMap::new(),
-            spread: BTreeMap::new(),
+            spread: SpreadLoads::new(),
             end: When { time: 0.0, period: 0.0, begun: 0.0 },
             left_out: None,
         };
@@ -89,23 +79,14 @@ impl<const D: usize> State<D> {
             *line = 0;
             value
         });
-        let spread_values = self.spread.values_mut().map(|load| {
-            load.line = 0;
-            &mut load.value
-        });
-        point_values.chain(spread_values).for_each(|value| value.go_on(end));
+        point_values.for_each(|value| value.go_on(end));
+        self.spread.begin(end, step.is_new[2]);
         self.released.clear();
         if step.is_new[0] {
             std::mem::swap(&mut self.supports, &mut self.released);
         }
         if step.is_new[1] {
             self.forces.values_mut().for_each(|(value, _)| value.fade(end));
-        }
-        if step.is_new[2] {
-            self.spread.values_mut().for_each(|load| {
-                load.value.fade(end);
-                load.faces.clear();
-            });
         }
         let begun = end.begun + end.period;
         for row in &step.boundaries {
@@ -114,6 +95,7 @@ impl<const D: usize> State<D> {
         for load in &step.loads {
             self.load(deck, bodies, load)?;
         }
+        self.spread.check()?;
         self.end = When { time: step.period, period: step.period, begun };
         let first = bodies.model.node_count();
         if bodies.model.is_axisymmetric() {
@@ -126,7 +108,7 @@ impl<const D: usize> State<D> {
     pub(super) fn stages(&self) -> Vec<f64> {
         let When { period, begun, .. } = self.end;
         let points = self.supports.values().chain(self.forces.values()).map(|(value, _)| value);
-        let values = points.chain(self.spread.values().map(|load| &load.value));
+        let values = points.chain(self.spread.values());
         let mut times: Vec<f64> = values.flat_map(|value| value.bends(begun)).collect();
         times.retain(|time| *time > 1e-9 * period && *time < (1.0 - 1e-9) * period);
         times.push(period);
@@ -184,12 +166,7 @@ impl<const D: usize> State<D> {
                 Some(_) => {}
             }
         }
-        for load in self.spread.values() {
-            let value = load.value.at(when);
-            for (sum, force) in forces.iter_mut().zip(&load.forces) {
-                (0..D).for_each(|axis| sum[axis] += value * force[axis]);
-            }
-        }
+        self.spread.add_forces(when, &mut forces);
         Ok(Driven { supports, forces, rigid })
     }
 
@@ -349,43 +326,26 @@ impl<const D: usize> State<D> {
 
     fn load(&mut self, deck: &Deck, bodies: Bodies<D>, load: &Load) -> Result<(), Fault> {
         let amplitude = amplitude(deck, load.amplitude.as_ref(), load.line)?;
-        let twice = |line: usize| Fault::new(load.line, format!("this is loaded by line {line} in the same step"));
-        if let LoadKind::Force(axis) = load.kind {
-            let asked = Asked { line: load.line, is_motion: false, is_named: false, value: load.value };
-            for point in points(deck, bodies, &self.references, (&load.set, load.line))? {
-                let place = freedom((deck, bodies), &self.references, (point, axis), &asked)?;
-                let Some(place) = place else { continue };
-                let before = self.forces.get(&place);
-                if let Some((_, line)) = before.filter(|(_, line)| *line != 0) {
-                    return Err(twice(*line));
-                }
-                let start = before.map_or(0.0, |(value, _)| value.first(self.end));
-                self.forces.insert(place, (Timed::new(start, load.value, amplitude.clone()), load.line));
-            }
-            return Ok(());
-        }
-        let key = format!("{:?} {}", load.kind, load.set.to_uppercase());
-        let before = self.spread.get(&key);
-        if let Some(before) = before.filter(|before| before.line != 0) {
-            return Err(twice(before.line));
-        }
-        let start = before.map_or(0.0, |before| before.value.first(self.end));
-        let pulled = matches!(load.kind, LoadKind::Gravity(_)).then(|| load.set.to_uppercase());
-        let is_other = |(other, load): (&String, &SpreadLoad<D>)| {
-            *other != key && load.line == 0 && load.value.goes_on() && pulled.is_some() && load.pulled == pulled
+        let LoadKind::Force(axis) = load.kind else {
+            return self.spread.add((deck, bodies, &self.faces), load, amplitude, self.end);
         };
-        if self.spread.iter().any(is_other) {
-            let message = "gravity of another direction acts since an earlier step: name that direction, or say OP=NEW";
-            return Err(Fault::new(load.line, message));
+        let asked = Asked { line: load.line, is_motion: false, is_named: false, value: load.value };
+        for point in points(deck, bodies, &self.references, (&load.set, load.line))? {
+            let place = freedom((deck, bodies), &self.references, (point, axis), &asked)?;
+            let Some(place) = place else { continue };
+            // Loads of one step add up, and take the place of those of earlier ones.
+            match self.forces.get_mut(&place) {
+                Some((value, line)) if *line != 0 => {
+                    if !value.increase(load.value, amplitude.as_ref()) {
+                        return Err(two_amplitudes(load, *line));
+                    }
+                }
+                before => {
+                    let start = before.map_or(0.0, |(value, _)| value.first(self.end));
+                    self.forces.insert(place, (Timed::new(start, load.value, amplitude.clone()), load.line));
+                }
+            }
         }
-        let new = spread(deck, bodies, &self.faces, load)?;
-        let faces: BTreeSet<Vec<u32>> = new.faces.into_iter().collect();
-        if self.spread.iter().any(|(other, load)| *other != key && !load.faces.is_disjoint(&faces)) {
-            let message = "this acts on a face that another load acts on: name the same set, or say OP=NEW";
-            return Err(Fault::new(load.line, message));
-        }
-        let value = Timed::new(start, load.value, amplitude);
-        self.spread.insert(key, SpreadLoad { line: load.line, value, forces: new.forces, faces, pulled });
         Ok(())
     }
 }

@@ -54,6 +54,13 @@ impl Timed {
         self.target == other.target && self.amplitude == other.amplitude
     }
 
+    /// Adds to the value that it goes to, in the same way; `false` where that is another amplitude.
+    pub(super) fn increase(&mut self, more: f64, amplitude: Option<&Amplitude>) -> bool {
+        let is_same = self.amplitude.as_ref() == amplitude;
+        self.target += if is_same { more } else { 0.0 };
+        is_same
+    }
+
     /// Whether it is not 0 at the end.
     pub(super) fn goes_on(&self) -> bool {
         self.target != 0.0

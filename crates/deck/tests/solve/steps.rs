@@ -35,3 +35,40 @@ fn a_face_that_a_surface_names_twice_is_loaded_once() {
     let [once, twice] = [&once, &twice].map(|outcome| outcome.steps[0].load[1]);
     assert!(once != 0.0 && (once - twice).abs() < 1e-12 * once.abs(), "{once} {twice}");
 }
+
+/// Loads of one step add up, wherever they are written; those of an earlier step they replace.
+#[test]
+fn loads_of_one_step_add_up() {
+    let good = std::fs::read_to_string(path("steps.inp")).unwrap();
+    let loads = |name: &str, rows: &str| {
+        let last = "*DLOAD\nE, P3, 3.\n*CLOAD\nTOP, 2, -2.\n*END STEP\n";
+        assert!(good.ends_with(last));
+        let outcome = solved_text::<2>(name, &good.replace(last, rows));
+        outcome.steps.iter().skip(3).map(|step| (step.load[1], step.displacement)).collect::<Vec<_>>()
+    };
+    let near = |found: &[(f64, f64)], expected: &[f64]| {
+        assert_eq!(found.len(), expected.len(), "{found:?}");
+        for ((load, displacement), expected) in found.iter().zip(expected) {
+            // Forces of some units: rounding. E = 1000 and a square of side 1: a force moves the top by a thousandth of it.
+            assert!((load + expected).abs() < 1e-12, "{load}, not {expected}");
+            assert!((displacement - 1e-3 * expected).abs() < 1e-9, "{displacement}, not {expected}");
+        }
+    };
+    // The third step has left -1 at each node of TOP.
+    near(&loads("twice", "*CLOAD\nTOP, 2, -1.5\n*CLOAD\n3, 2, -0.5\n4, 2, -0.5\n*END STEP\n"), &[4.0]);
+    let pushed = "*SURFACE, NAME=S\nE, S3\n*ELSET, ELSET=SAME\n1\n*STEP";
+    let faces = "*DLOAD\nE, P3, 1.\nE, P3, 0.5\n*DLOAD\nSAME, P3, 0.5\n*DSLOAD\nS, P, 1.\n*CLOAD, OP=NEW\n*END STEP\n";
+    let again = "*STEP\n*STATIC\n*DLOAD\nE, P3, 1.\nSAME, P3, 2.\n*DSLOAD\nS, P, 4.\n*END STEP\n";
+    let text = good.replacen("*STEP", pushed, 1);
+    let last = text.find("*DLOAD").unwrap();
+    let outcome = solved_text::<2>("faces", &(text[..last].to_owned() + faces + again));
+    let found: Vec<_> = outcome.steps.iter().skip(3).map(|step| (step.load[1], step.displacement)).collect();
+    near(&found, &[3.0, 7.0]);
+    // Loads of an earlier step of which some change are unclear.
+    let some = text[..last].to_owned() + faces + "*STEP\n*STATIC\n*DLOAD\nE, P3, 1.\n*END STEP\n";
+    let said = crate::scene::said(&some, "some.inp");
+    assert!(said.contains("a load of an earlier step acts on") && said.contains("OP=NEW"), "{said}");
+    let paths = text[..last].to_owned() + "*DLOAD\nE, P3, 1.\n*DLOAD, AMPLITUDE=TOTAL\nE, P3, 1.\n*END STEP\n";
+    let said = crate::scene::said(&paths, "paths.inp");
+    assert!(said.contains("with another AMPLITUDE: loads that add up need one"), "{said}");
+}
