@@ -23,7 +23,7 @@ mod words;
 
 pub(crate) use amplitude::Amplitude;
 pub use deck::Deck;
-pub(crate) use elements::face_corners;
+pub(crate) use elements::{ElementRow, face_corners};
 pub(crate) use equation::{EquationRow, Term};
 pub(crate) use interaction::{PairRow, TieRow};
 pub(crate) use names::Kind;

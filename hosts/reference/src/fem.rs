@@ -2,7 +2,7 @@
 //!
 //! Elements are `Tri3` and `Tet4` with one Gauss point, `Quad4` with 2 × 2 `Hex8` with 2 × 2 × 2, and `Wedge6` with 3 × 2; of second order `Tri6` with
 //! three, `Tet10` with four, `Quad8` and `Quad9` with 3 × 3, `Hex20` and `Hex27` with 3 × 3 × 3, `Wedge15` with 3 × 3. A part may have cells of several types on the same nodes. All are isoparametric, with curved
-//! edges where the nodes in their middle say so, and without any reduced integration or stabilisation. 2D is plane strain or plane stress, per unit thickness, or the section (r, z) of bodies of revolution, as whole rings. Everything is referred
+//! edges where the nodes in their middle say so, and without any reduced integration or stabilisation; linear quadrilaterals and hexahedra may have incompatible modes (`Model::with_incompatible_modes`). 2D is plane strain or plane stress, per unit thickness, or the section (r, z) of bodies of revolution, as whole rings. Everything is referred
 //! to the undeformed configuration (total Lagrangian): gradients of the shape functions are computed once.
 //!
 //! With H = ∂u/∂X, the displacement gradient, W the energy density of the [`Material`] and P = ∂W/∂H:
@@ -18,6 +18,7 @@
 //! threads changes no bit.
 
 mod assembly;
+mod bending;
 mod cofactor;
 mod constraints;
 mod cube_root;
@@ -33,6 +34,7 @@ mod load;
 mod mass;
 mod material;
 mod model;
+mod modes;
 mod neo_hookean;
 mod part;
 mod quadrature;

@@ -98,7 +98,8 @@ impl Places {
             let label = all[cell].2;
             Fault::new(deck.elements[cell].line, format!("{part}: element {label} is inverted or has no volume"))
         })?;
-        let cells = of_body.into_iter().flatten().collect();
+        let cells: Vec<usize> = of_body.into_iter().flatten().collect();
+        let model = model.with_incompatible_modes(|cell| deck.elements[cells[cell]].has_modes());
         Ok((Self { node_of, body_of, nodes, cells, is_finite }, model))
     }
 }

@@ -5,7 +5,7 @@ use super::points::{Point, points};
 use super::result::StepResult;
 use super::state::{Driven, State};
 use super::symmetry::planes;
-use super::{Bodies, Places};
+use super::{Bodies, Places, variants};
 use crate::Fault;
 use crate::read::{Deck, Note};
 use fmc_contact::contact::PairOptions;
@@ -100,7 +100,8 @@ impl<'a, const D: usize> Analysis<'a, D> {
         let sets = sets.collect::<Result<_, Fault>>()?;
         let apart = state.references.iter().filter(|reference| reference.own.is_none() && reference.has_motion());
         let order = [places.nodes.clone(), places.cells.clone(), apart.map(|reference| reference.node).collect()];
-        let notes = [&pairs.notes[..], free_on_axis.as_slice(), left_out.as_slice()].concat();
+        let notes =
+            [&pairs.notes[..], free_on_axis.as_slice(), left_out.as_slice(), &variants::notes(deck, bodies)].concat();
         let notes = super::notes::notes(deck, &notes, places.is_finite)?;
         Ok(Self { deck, model, places, state, pairs, sets, stiffness, planes, adjust, options, order, notes })
     }

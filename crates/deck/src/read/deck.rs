@@ -47,9 +47,10 @@ pub struct Deck {
     input: Expanded,
 }
 
-/// Elements under one keyword: where they stand, their type, and their labels with their lines.
+/// Elements under one keyword: where they and it stand, their type, and their labels with their lines.
 struct Rows {
     scope: Scope,
+    line: usize,
     kind: String,
     labels: Vec<(u64, usize)>,
 }
@@ -61,8 +62,7 @@ struct Open {
     material: Option<String>,
     interaction: Option<String>,
     is_in_step: bool,
-    /// Variants of elements and requests of output, with the lines where they come first.
-    variants: Vec<(String, usize)>,
+    /// Requests of output, with the lines where they come first.
     requests: Vec<(String, usize)>,
     elements: Vec<Rows>,
     general: Option<GeneralRow>,
@@ -161,9 +161,6 @@ impl Deck {
         if let Some(row) = self.rigid.iter().find(|row| row.kind == RigidKind::Unknown) {
             return Err(Fault::new(row.line, "this *COUPLING has neither *KINEMATIC nor *DISTRIBUTING"));
         }
-        for (name, line) in &open.variants {
-            self.notes.push(Note::new(*line, format!("{name}: integrated in full, as without its last letters")));
-        }
         for (name, line) in &open.requests {
             let said = unused(name).unwrap_or_default();
             self.notes.push(Note::new(*line, format!("*{name}: {said}")));
@@ -223,7 +220,7 @@ impl Deck {
             "NODE" => drop(self.take_rows(Kind::Node, 1, keyword, &scope, lines)?),
             "ELEMENT" => {
                 let kind = keyword.required("TYPE")?;
-                let (cell_type, is_variant) = solved(keyword.line, kind)?;
+                let cell_type = solved(keyword.line, kind)?;
                 if self.mesh.cells().next().is_some_and(|(first, ..)| first.dimension() != cell_type.dimension()) {
                     return Err(Fault::new(keyword.line, "there are 2D and 3D elements"));
                 }
@@ -233,11 +230,8 @@ impl Deck {
                         format!("elements of type {kind} together with {}: axisymmetric and plane bodies", other.kind);
                     return Err(Fault::new(keyword.line, message));
                 }
-                if is_variant && !open.variants.iter().any(|(known, _)| known.eq_ignore_ascii_case(kind)) {
-                    open.variants.push((kind.to_uppercase(), keyword.line));
-                }
                 let labels = self.take_rows(Kind::Cell, cell_type.node_count() + 1, keyword, &scope, lines)?;
-                open.elements.push(Rows { scope, kind: kind.to_uppercase(), labels });
+                open.elements.push(Rows { scope, line: keyword.line, kind: kind.to_uppercase(), labels });
             }
             "NSET" => self.names.read(Kind::Node, keyword, &scope, lines)?,
             "ELSET" => self.names.read(Kind::Cell, keyword, &scope, lines)?,
@@ -355,12 +349,12 @@ impl Deck {
 
     /// Line and type of every element.
     fn element_rows(&self, blocks: &[Rows]) -> Vec<ElementRow> {
-        let mut found = vec![ElementRow { line: 1, kind: String::new() }; self.mesh.cell_count()];
-        for Rows { scope, kind, labels } in blocks {
+        let mut found = vec![ElementRow { line: 1, keyword: 1, kind: String::new() }; self.mesh.cell_count()];
+        for Rows { scope, line: keyword, kind, labels } in blocks {
             for instance in self.names.instances_of(scope) {
                 for &(label, line) in labels {
                     if let Some(cell) = self.names.cell(instance, label) {
-                        found[cell] = ElementRow { line, kind: kind.clone() };
+                        found[cell] = ElementRow { line, keyword: *keyword, kind: kind.clone() };
                     }
                 }
             }

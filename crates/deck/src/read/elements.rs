@@ -8,7 +8,25 @@ use fmc_mesh_io::inp::cell_type_of_element;
 #[derive(Clone, Debug)]
 pub(crate) struct ElementRow {
     pub(crate) line: usize,
+    /// The line of its keyword.
+    pub(crate) keyword: usize,
     pub(crate) kind: String,
+}
+
+impl ElementRow {
+    /// Its type without the letters of a variant, and these letters.
+    pub(crate) fn stem(&self) -> (&str, &str) {
+        stem(&self.kind)
+    }
+
+    /// Whether it has incompatible modes, as far as its type says.
+    pub(crate) fn has_modes(&self) -> bool {
+        matches!(self.stem(), ("C3D8" | "CPE4" | "CPS4", letters) if letters.contains('I'))
+    }
+}
+
+fn stem(kind: &str) -> (&str, &str) {
+    kind.split_at(kind.trim_end_matches(|c: char| c.is_ascii_alphabetic()).len())
 }
 
 /// Types that are solved, up to their variants.
@@ -17,13 +35,13 @@ const SOLVED: [&str; 19] = [
     "C3D8", "C3D10", "C3D15", "C3D20", "C3D27",
 ];
 
-/// The cell of an element type, and whether it is a variant that is integrated in full here.
-pub(super) fn solved(line: usize, name: &str) -> Result<(CellType, bool), Fault> {
+/// The cell of an element type.
+pub(super) fn solved(line: usize, name: &str) -> Result<CellType, Fault> {
     let upper = name.to_uppercase();
-    let stem = upper.trim_end_matches(|c: char| c.is_ascii_alphabetic());
+    let (stem, _) = stem(&upper);
     let refused = |why: String| Err(Fault::new(line, format!("elements of type {name} are not solved: {why}")));
     match (SOLVED.contains(&stem), cell_type_of_element(&upper)) {
-        (true, Some(cell_type)) if !upper.ends_with(['T', 'P']) => Ok((cell_type, stem != upper)),
+        (true, Some(cell_type)) if !upper.ends_with(['T', 'P']) => Ok(cell_type),
         (true, _) => refused("temperatures and pore pressures are not known".to_owned()),
         _ if upper.starts_with("M3D") => refused("membranes are not known".to_owned()),
         _ if upper.starts_with("R3D") => {

@@ -1,6 +1,7 @@
 //! Input files from their keywords to their results.
 
 mod adjust;
+mod bending;
 mod blocks;
 mod blocks_text;
 mod elements;

@@ -167,7 +167,7 @@ fn notes_have_lines() {
     let analysis = Analysis::<2>::new(&deck, SolveOptions::default()).unwrap();
     let line = |start: &str| text.lines().position(|line| line.starts_with(start)).unwrap() + 1;
     for (start, words) in [
-        ("*ELEMENT", "CPE4R: integrated in full"),
+        ("*ELEMENT", "CPE4R is integrated in full, as CPE4, and LOCKS"),
         ("*NODE FILE", "*NODE FILE: files and tables"),
         ("*EL FILE", "*EL FILE: files and tables"),
         ("*STEP", "INC=2: the step begins with as many load steps, not 10"),

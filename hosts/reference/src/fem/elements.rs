@@ -1,6 +1,7 @@
 //! Elements of one type of one part: what of the reference configuration their integrals need.
 
 use super::cofactor::cofactor;
+use super::modes::Modes;
 use super::quadrature::gauss_points;
 use super::tensor::{Tensor, from_fn};
 use super::{Cells, Error, Law, Material, Part};
@@ -23,6 +24,8 @@ pub(super) struct Elements<const D: usize> {
     pub(super) volumes: Vec<f64>,
     /// N_a / r, as `gradients`, of bodies of revolution; empty of others.
     pub(super) hoops: Vec<f64>,
+    /// Incompatible modes, if cells have any.
+    pub(super) modes: Option<Modes<D>>,
     /// ∫ N_a dV, `[cell_count, node_count]`.
     pub(super) shares: Vec<f64>,
     /// Volume whose mass is lumped at each node, `[cell_count, node_count]`.
@@ -114,6 +117,7 @@ impl<const D: usize> Elements<D> {
             gradients,
             volumes,
             hoops,
+            modes: None,
             shares,
             lumps,
             slots,
@@ -185,7 +189,7 @@ fn lumped(cell_type: CellType, share: &[f64], square: &[f64]) -> Vec<f64> {
 }
 
 /// Determinant and transposed inverse; the inverse of a singular matrix is not finite.
-fn inverse_transposed<const D: usize>(m: &Tensor<D>) -> (f64, Tensor<D>) {
+pub(super) fn inverse_transposed<const D: usize>(m: &Tensor<D>) -> (f64, Tensor<D>) {
     let cofactor = cofactor(m);
     let determinant: f64 = (0..D).map(|j| m[0][j] * cofactor[0][j]).sum();
     (determinant, cofactor.map(|row| row.map(|entry| entry / determinant)))

@@ -65,8 +65,8 @@ fn internal<const D: usize, const N: usize>(
     force: &mut [[f64; D]],
 ) -> f64 {
     let response = Response::new(&elements.material);
-    assemble::<D, N>(elements, pool, force, |cell, f| {
-        let cell = elements.cell::<N>(cell);
+    assemble::<D, N>(elements, pool, force, |number, f| {
+        let cell = elements.cell::<N>(number);
         let Cell { nodes, gradients, volumes, .. } = cell;
         let u = nodes.map(|node| displacement[node as usize]);
         let mut energy = 0.0;
@@ -78,8 +78,13 @@ fn internal<const D: usize, const N: usize>(
             });
             return energy;
         }
-        for (gradients, &volume) in gradients.iter().zip(volumes) {
-            let (stress, density) = response.stress(&gradient(&u, gradients));
+        let of_modes = elements.modes.as_ref().map(|modes| (modes, modes.amplitudes(number, &u)));
+        for (place, (gradients, &volume)) in gradients.iter().zip(volumes).enumerate() {
+            let mut h = gradient(&u, gradients);
+            if let Some((modes, amplitudes)) = &of_modes {
+                modes.add(number * volumes.len() + place, amplitudes, &mut h);
+            }
+            let (stress, density) = response.stress(&h);
             energy += volume * density;
             add_divergence(&stress, gradients, volume, f);
         }
@@ -95,8 +100,8 @@ fn stiffness_product<const D: usize, const N: usize>(
     product: &mut [[f64; D]],
 ) {
     let response = Response::new(&elements.material);
-    assemble::<D, N>(elements, pool, product, |cell, f| {
-        let cell = elements.cell::<N>(cell);
+    assemble::<D, N>(elements, pool, product, |number, f| {
+        let cell = elements.cell::<N>(number);
         let Cell { nodes, gradients, volumes, .. } = cell;
         let u = nodes.map(|node| displacement[node as usize]);
         let du = nodes.map(|node| direction[node as usize]);
@@ -107,8 +112,13 @@ fn stiffness_product<const D: usize, const N: usize>(
             });
             return 0.0;
         }
-        for (gradients, &volume) in gradients.iter().zip(volumes) {
-            let stress = response.stress_derivative(&gradient(&u, gradients), &gradient(&du, gradients));
+        let of_modes = elements.modes.as_ref().map(|modes| (modes, modes.amplitudes(number, &du)));
+        for (place, (gradients, &volume)) in gradients.iter().zip(volumes).enumerate() {
+            let mut dh = gradient(&du, gradients);
+            if let Some((modes, amplitudes)) = &of_modes {
+                modes.add(number * volumes.len() + place, amplitudes, &mut dh);
+            }
+            let stress = response.stress_derivative(&gradient(&u, gradients), &dh);
             add_divergence(&stress, gradients, volume, f);
         }
         0.0

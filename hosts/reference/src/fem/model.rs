@@ -21,7 +21,7 @@ pub struct Cells {
 #[derive(Debug)]
 pub struct Model<const D: usize> {
     parts: Vec<Part<D>>,
-    coords: Vec<[f64; D]>,
+    pub(super) coords: Vec<[f64; D]>,
     /// First node of every part, and the number of nodes.
     first_nodes: Vec<usize>,
     /// First elements of every part, one for each type of its cells, and the number of all.

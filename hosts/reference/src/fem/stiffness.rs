@@ -13,6 +13,10 @@ impl<const D: usize> Elements<D> {
         let nodes = &self.conn[cell * count..][..count];
         matrix.clear();
         matrix.resize(size * size, 0.0);
+        if let Some(modes) = &self.modes {
+            self.add_bending(modes, response, cell, matrix);
+            return mirror(size, matrix);
+        }
         for point in cell * self.points_per_cell..(cell + 1) * self.points_per_cell {
             if self.is_ring() {
                 self.add_ring_stiffness(response, (point, nodes), displacement, matrix);
@@ -32,14 +36,25 @@ impl<const D: usize> Elements<D> {
                 }
             }
         }
-        for row in 0..size {
-            (0..row).for_each(|column| matrix[row * size + column] = matrix[column * size + row]);
-        }
+        mirror(size, matrix);
     }
 
     /// H at a Gauss point, counted over all cells of the part, of the cell with `nodes`.
     pub(super) fn displacement_gradient(&self, point: usize, nodes: &[u32], displacement: &[[f64; D]]) -> Tensor<D> {
         let gradients = &self.gradients[point * nodes.len()..][..nodes.len()];
-        from_fn(|i, j| nodes.iter().zip(gradients).map(|(&node, g)| displacement[node as usize][i] * g[j]).sum())
+        let mut h =
+            from_fn(|i, j| nodes.iter().zip(gradients).map(|(&node, g)| displacement[node as usize][i] * g[j]).sum());
+        if let Some(modes) = &self.modes {
+            let u: Vec<[f64; D]> = nodes.iter().map(|&node| displacement[node as usize]).collect();
+            modes.add(point, &modes.amplitudes(point / self.points_per_cell, &u), &mut h);
+        }
+        h
+    }
+}
+
+/// Fills the lower half of a symmetric matrix.
+fn mirror(size: usize, matrix: &mut [f64]) {
+    for row in 0..size {
+        (0..row).for_each(|column| matrix[row * size + column] = matrix[column * size + row]);
     }
 }

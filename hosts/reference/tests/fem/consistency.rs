@@ -14,7 +14,7 @@ fn dot<const D: usize>(a: &[[f64; D]], b: &[[f64; D]]) -> f64 {
 }
 
 /// Central differences with a step of 1e-5 of a distortion by 5 % of a cell: truncation and rounding near 1e-9.
-fn force_and_stiffness_are_derivatives<const D: usize>(models: Vec<Model<D>>) {
+pub(crate) fn force_and_stiffness_are_derivatives<const D: usize>(models: Vec<Model<D>>) {
     for model in models {
         let count = model.node_count();
         let (u, du) = (random_field::<D>(count, 0.02, 1), random_field::<D>(count, 1.0, 2));
@@ -60,7 +60,7 @@ fn force_is_energy_gradient_and_stiffness_force_gradient() {
 }
 
 /// Small strains see no small rotation (H antisymmetric), the neo-Hookean solid no rotation at all.
-fn rigid_motion_costs_nothing<const D: usize>(models: Vec<Model<D>>) {
+pub(crate) fn rigid_motion_costs_nothing<const D: usize>(models: Vec<Model<D>>) {
     for model in models {
         let h: [[f64; D]; D] = match model.parts()[0].material.law {
             Law::LinearElastic | Law::PlaneStress => {

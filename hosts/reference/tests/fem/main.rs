@@ -3,6 +3,7 @@
 mod consistency;
 mod frequency;
 mod loads;
+mod modes;
 mod patch;
 mod refusals;
 mod rings;

@@ -24,7 +24,7 @@ fn stress(law: Law, s: f64, g: f64) -> [[f64; 3]; 3] {
 
 /// Inner nodes feel nothing; those of the boundary feel what the traction P N on all faces makes, which also checks
 /// faces, normals and surface loads, those of warped quadrilaterals included.
-fn constant_stress_balances_its_traction<const D: usize>(models: Vec<Model<D>>) {
+pub(crate) fn constant_stress_balances_its_traction<const D: usize>(models: Vec<Model<D>>) {
     for model in models {
         let mut h = [[0.0; D]; D];
         (h[0][0], h[0][1]) = (0.2, -0.15);
