@@ -88,7 +88,8 @@ impl Mesh {
     pub fn read(path: &Path) -> Result<Self> {
         let file = path.display().to_string();
         let bytes = std::fs::read(path).with_context(|| format!("{file} cannot be read"))?;
-        let start = bytes.trim_ascii_start();
+        // Editors of Windows mark UTF-8 by three bytes.
+        let start = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(&bytes).trim_ascii_start();
         let mut mesh = if start.starts_with(b"$") {
             gmsh::parse(&bytes).with_context(|| file.clone())?
         } else if start.starts_with(b"<") {

@@ -2,6 +2,7 @@
 
 use crate::Fault;
 use crate::read::{Deck, LoadKind, Note};
+use std::collections::BTreeSet;
 
 /// Notes of the reader and of the analysis, by their lines.
 pub(super) fn notes(deck: &Deck, of_pairs: &[Note], is_finite: bool) -> Result<Vec<Note>, Fault> {
@@ -28,6 +29,31 @@ pub(super) fn notes(deck: &Deck, of_pairs: &[Note], is_finite: bool) -> Result<V
     {
         return Err(Fault::new(load.line, format!("GRAV needs a *DENSITY of material {}", row.name)));
     }
+    notes.extend(peaks(deck));
     notes.sort_by_key(|note| note.line);
     Ok(notes)
+}
+
+/// Of each amplitude that a step names, the first peak within a step: results are those of the ends of steps.
+fn peaks(deck: &Deck) -> Vec<Note> {
+    let (mut notes, mut told, mut begun) = (Vec::new(), BTreeSet::new(), 0.0);
+    for (number, step) in deck.steps.iter().enumerate() {
+        let supports = step.boundaries.iter().map(|row| (row.line, &row.amplitude));
+        let rows = supports.chain(step.loads.iter().map(|load| (load.line, &load.amplitude)));
+        for (line, name) in rows.filter_map(|(line, name)| Some((line, name.as_ref()?))) {
+            let Some(amplitude) = deck.amplitudes.get(name) else { continue };
+            let start = if amplitude.is_total { begun } else { 0.0 };
+            if let Some([time, factor]) = amplitude.peak(start, start + step.period).filter(|_| told.insert(name)) {
+                let message = format!(
+                    "AMPLITUDE={name} is {factor} at time {time}, and {} at the end of step {}: results are those of the ends of steps. To \
+                     see them there, end a step there",
+                    amplitude.at(start + step.period),
+                    number + 1
+                );
+                notes.push(Note { line, message });
+            }
+        }
+        begun += step.period;
+    }
+    notes
 }

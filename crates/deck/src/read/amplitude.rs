@@ -49,6 +49,14 @@ impl Amplitude {
         }
     }
 
+    /// The time between two at which it is farther from 0 than at the later one, if there is any, and its factor there.
+    pub(crate) fn peak(&self, from: f64, to: f64) -> Option<[f64; 2]> {
+        let inside = self.points.iter().filter(|point| point[0] > from && point[0] < to);
+        let peak = inside.copied().max_by(|a, b| a[1].abs().total_cmp(&b[1].abs()))?;
+        // Rounding of the factor at the end is no peak.
+        (peak[1].abs() > self.at(to).abs() * (1.0 + 1e-9)).then_some(peak)
+    }
+
     /// Times at which it bends.
     pub(crate) fn times(&self) -> impl Iterator<Item = f64> + '_ {
         self.points.iter().map(|point| point[0])

@@ -8,7 +8,7 @@ use super::interaction::{Interaction, PairRow, TieRow};
 use super::material::MaterialRow;
 use super::names::{Kind, Names};
 use super::note::Note;
-use super::output::unused;
+use super::output::{sampled, unused};
 use super::rigid::{RigidKind, RigidRow};
 use super::scope::Scope;
 use super::section::SectionRow;
@@ -197,6 +197,14 @@ impl Deck {
             if name == "RESTART" && keyword.value("READ").is_some() {
                 return Err(Fault::new(keyword.line, "*RESTART, READ is not known; known is WRITE"));
             }
+            let sampled = sampled(keyword).filter(|_| !open.requests.iter().any(|(known, _)| *known == "TIME POINTS"));
+            if let Some(parameter) = sampled {
+                open.requests.push(("TIME POINTS".to_owned(), keyword.line));
+                self.notes.push(Note::new(
+                    keyword.line,
+                    format!("*{name}, {parameter}: {}", unused("TIME POINTS").unwrap_or_default()),
+                ));
+            }
             let mut is_reaction = false;
             while let Some((_, text)) = lines.data() {
                 is_reaction |= fields(text).any(|field| field.eq_ignore_ascii_case("RF"));
@@ -236,7 +244,7 @@ impl Deck {
             "NSET" => self.names.read(Kind::Node, keyword, &scope, lines)?,
             "ELSET" => self.names.read(Kind::Cell, keyword, &scope, lines)?,
             "SURFACE" => self.surfaces.read(keyword, &scope, lines)?,
-            "SOLID SECTION" => self.sections.push(SectionRow::read(keyword, &scope, lines)?),
+            "SOLID SECTION" => self.sections.push(SectionRow::read(keyword, &scope, lines, &mut self.notes)?),
             "MATERIAL" => {
                 let material = MaterialRow::begin(keyword)?;
                 let name = material.name.to_uppercase();
@@ -292,7 +300,7 @@ impl Deck {
         };
         match (keyword.name.as_str(), step) {
             ("STEP", None) => {
-                let step = Step::begin(keyword, lines)?;
+                let step = Step::begin(keyword, lines, &mut self.notes)?;
                 open.is_in_step = true;
                 self.steps.push(step);
             }

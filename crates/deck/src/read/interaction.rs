@@ -119,7 +119,8 @@ impl Interaction {
 impl PairRow {
     /// Reads `*CONTACT PAIR`.
     pub(super) fn read(keyword: &Keyword, lines: &mut Lines, notes: &mut Vec<Note>) -> Result<Vec<Self>, Fault> {
-        only(keyword, &["INTERACTION", "TYPE", "SMALL SLIDING", "ADJUST"])?;
+        // Solids have no thickness of shells, and do not turn.
+        only(keyword, &["INTERACTION", "TYPE", "SMALL SLIDING", "ADJUST", "NO THICKNESS"])?;
         let mortar = ["MORTAR", "LINMORTAR", "PGLINMORTAR"];
         one_of(keyword, "TYPE", &["NODE TO SURFACE", "SURFACE TO SURFACE", mortar[0], mortar[1], mortar[2]])?;
         let adjust = match keyword.value("ADJUST") {
@@ -142,7 +143,7 @@ impl PairRow {
 impl TieRow {
     /// Reads `*TIE`.
     pub(super) fn read(keyword: &Keyword, lines: &mut Lines, notes: &mut Vec<Note>) -> Result<Vec<Self>, Fault> {
-        only(keyword, &["NAME", "POSITION TOLERANCE", "ADJUST", "TYPE"])?;
+        only(keyword, &["NAME", "POSITION TOLERANCE", "ADJUST", "TYPE", "NO ROTATION", "NO THICKNESS"])?;
         one_of(keyword, "ADJUST", &["YES", "NO"])?;
         one_of(keyword, "TYPE", &["SURFACE TO SURFACE", "NODE TO SURFACE"])?;
         let reach = length(keyword, "POSITION TOLERANCE")?;

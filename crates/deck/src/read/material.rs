@@ -30,7 +30,11 @@ impl MaterialRow {
                 only(keyword, &["TYPE"])?;
                 one_of(keyword, "TYPE", &["ISO", "ISOTROPIC"])?;
                 let (line, found) = only_line(keyword, lines, "Young's modulus and Poisson's ratio")?;
-                at_most(keyword, &found, 2, "its constants may not depend on the temperature")?;
+                at_most(keyword, &found, 3, "its constants may not depend on the temperature")?;
+                // One line holds at all temperatures, whichever it names.
+                if found.get(2).copied().flatten().is_some_and(|temperature| temperature != 0.0) {
+                    notes.push(Note::new(line, "the temperature of *ELASTIC is not used: its one line holds at all"));
+                }
                 let young = present(line, &found, 1, "Young's modulus")?;
                 let poisson = present(line, &found, 2, "Poisson's ratio")?;
                 self.set(line, Law::LinearElastic, young, poisson)?;

@@ -35,6 +35,8 @@ enum What {
     Labels(u64, u64, u64),
     /// A label or a set, perhaps of an instance.
     Name(String),
+    /// The nodes of the elements of a set.
+    NodesOf(String),
 }
 
 /// An instance of a part.
@@ -53,6 +55,9 @@ pub(crate) struct Names {
     /// Index in the mesh, by number of the instance and label.
     labels: BTreeMap<(Kind, Option<usize>, u64), usize>,
     sets: BTreeMap<(Kind, Scope, String), Vec<Member>>,
+    /// Nodes of all cells, and where those of each begin, with the number of all.
+    nodes_of_cells: Vec<u32>,
+    first_nodes: Vec<usize>,
     /// Sets that keep the order in which they are given.
     unsorted: BTreeSet<(Kind, Scope, String)>,
 }
@@ -72,6 +77,11 @@ impl Names {
                 let tags = mesh.node_tags.iter().enumerate();
                 names.add(Kind::Node, tags.map(|(node, &tag)| (instance_of(node), tag, node)));
             }
+        }
+        names.first_nodes.push(0);
+        for (_, nodes, ..) in mesh.cells() {
+            names.nodes_of_cells.extend_from_slice(nodes);
+            names.first_nodes.push(names.nodes_of_cells.len());
         }
         let has_instances = !mesh.instances.is_empty();
         let number = |group: Option<i64>| group.filter(|_| has_instances).map(|group| group as usize - 1);
@@ -109,10 +119,15 @@ impl Names {
         lines: &mut Lines,
     ) -> Result<(), Fault> {
         let parameter = if kind == Kind::Node { "NSET" } else { "ELSET" };
-        only(keyword, &[parameter, "GENERATE", "INSTANCE", "INTERNAL", "UNSORTED"])?;
+        let known = ["NSET", "ELSET", "GENERATE", "INSTANCE", "INTERNAL", "UNSORTED"];
+        only(keyword, if kind == Kind::Node { &known } else { &known[1..] })?;
         let name = keyword.required(parameter)?.to_owned();
         let instance = keyword.value("INSTANCE").map(str::to_owned);
         let mut members = Vec::new();
+        if let (Kind::Node, Some(set)) = (kind, keyword.value("ELSET")) {
+            let what = What::NodesOf(set.trim_matches('"').to_owned());
+            members.push(Member { line: keyword.line, instance: instance.clone(), what });
+        }
         while let Some((line, text)) = lines.data() {
             let of = |what| Member { line, instance: instance.clone(), what };
             if keyword.value("GENERATE").is_none() {
@@ -278,6 +293,12 @@ impl Names {
                         let word = kind.word();
                         return Err(Fault::new(*line, format!("there is no {word} {first} to {last} of set '{name}'")));
                     }
+                }
+                What::NodesOf(set) => {
+                    let mut cells = Vec::new();
+                    self.collect(Kind::Cell, instance, set, *line, level + 1, &mut cells)?;
+                    let nodes = |cell: usize| &self.nodes_of_cells[self.first_nodes[cell]..self.first_nodes[cell + 1]];
+                    found.extend(cells.into_iter().flat_map(nodes).map(|&node| node as usize));
                 }
                 What::Name(name) => self.collect(kind, instance, name, *line, level + 1, found)?,
             }

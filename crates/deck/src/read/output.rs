@@ -1,5 +1,7 @@
 //! Requests of output, and numbers of solvers: what is written does not depend on them.
 
+use fmc_mesh_io::inp::Keyword;
+
 /// Keywords that tell a solver how to iterate.
 const OF_SOLVERS: [&str; 4] = ["CONTROLS", "CONTACT CONTROLS", "SOLUTION TECHNIQUE", "PHYSICAL CONSTANTS"];
 
@@ -7,10 +9,19 @@ const OF_SOLVERS: [&str; 4] = ["CONTROLS", "CONTACT CONTROLS", "SOLUTION TECHNIQ
 pub(super) fn unused(name: &str) -> Option<&'static str> {
     match name {
         "TIME POINTS" => Some("results are written at the ends of steps"),
+        "SECTION CONTROLS" => Some("elements are integrated in full"),
+        "ORIENTATION" => Some("materials have no directions"),
         _ if OF_SOLVERS.contains(&name) => Some("the search uses none of its numbers"),
         _ if REQUESTS.contains(&name) => Some("files and tables do not depend on it"),
         _ => None,
     }
+}
+
+/// The parameter by which a request asks for results within steps, if it has one.
+pub(super) fn sampled(keyword: &Keyword) -> Option<&str> {
+    let asks = |name: &str| matches!(name, "FREQUENCY" | "TIME POINTS" | "NUMBER INTERVAL" | "TIME INTERVAL");
+    let is_request = REQUESTS.contains(&keyword.name.as_str());
+    keyword.parameters.iter().map(|(name, _)| name.as_str()).find(|name| is_request && asks(name))
 }
 
 /// Keywords that ask for results.

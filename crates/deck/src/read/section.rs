@@ -1,5 +1,6 @@
 //! `*SOLID SECTION`: which elements are of which material.
 
+use super::note::Note;
 use super::scope::Scope;
 use super::words::{only, optional_line};
 use crate::Fault;
@@ -18,8 +19,25 @@ pub(crate) struct SectionRow {
 
 impl SectionRow {
     /// Reads it.
-    pub(super) fn read(keyword: &Keyword, scope: &Scope, lines: &mut Lines) -> Result<Self, Fault> {
-        only(keyword, &["ELSET", "MATERIAL"])?;
+    pub(super) fn read(
+        keyword: &Keyword,
+        scope: &Scope,
+        lines: &mut Lines,
+        notes: &mut Vec<Note>,
+    ) -> Result<Self, Fault> {
+        only(keyword, &["ELSET", "MATERIAL", "ORIENTATION", "CONTROLS"])?;
+        if keyword.value("ORIENTATION").is_some() {
+            notes.push(Note::new(
+                keyword.line,
+                "ORIENTATION of *SOLID SECTION is not used: materials have no directions",
+            ));
+        }
+        if keyword.value("CONTROLS").is_some() {
+            notes.push(Note::new(
+                keyword.line,
+                "CONTROLS of *SOLID SECTION is not used: elements are integrated in full",
+            ));
+        }
         let (line, found) = optional_line(keyword, lines)?;
         // Without a thickness it is 1, as where it is 0.
         let thickness = found.first().copied().flatten().filter(|thickness| *thickness != 0.0).unwrap_or(1.0);

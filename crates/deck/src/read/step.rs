@@ -85,10 +85,16 @@ impl Step {
     }
 
     /// Reads `*STEP`.
-    pub(super) fn begin(keyword: &Keyword, lines: &mut Lines) -> Result<Self, Fault> {
+    pub(super) fn begin(keyword: &Keyword, lines: &mut Lines, notes: &mut Vec<Note>) -> Result<Self, Fault> {
         only(keyword, &["NAME", "NLGEOM", "INC", "AMPLITUDE", "EXTRAPOLATION", "UNSYMM"])?;
         one_of(keyword, "NLGEOM", &["", "YES", "NO"])?;
-        one_of(keyword, "AMPLITUDE", &["RAMP"])?;
+        one_of(keyword, "AMPLITUDE", &["RAMP", "STEP"])?;
+        if keyword.value("AMPLITUDE").is_some_and(|kind| kind.eq_ignore_ascii_case("STEP")) {
+            notes.push(Note::new(
+                keyword.line,
+                "AMPLITUDE=STEP is taken as RAMP: loads grow evenly to the end of the step",
+            ));
+        }
         let most = match keyword.value("INC") {
             Some(text) => match text.parse::<usize>() {
                 Ok(count) if count > 0 => Some(count),
@@ -288,7 +294,7 @@ mod tests {
         let text = format!("*STEP{head}\n*STATIC\n{data}\n");
         let mut lines = Lines::new(&text);
         let keyword = lines.keyword().unwrap();
-        let mut step = Step::begin(&keyword, &mut lines).unwrap();
+        let mut step = Step::begin(&keyword, &mut lines, &mut Vec::new()).unwrap();
         let keyword = lines.keyword().unwrap();
         step.read_static(&keyword, &mut lines, &mut Vec::new()).unwrap();
         step

@@ -76,3 +76,51 @@ fn turns_of_solids_are_left_out() {
     let turned = said(&squares().replace("1, 1, 2\n", "1, 1, 2\n1, 6, 6, 0.1\n"), "turned.inp");
     assert!(turned.contains("node 1 belongs to a solid and does not turn"), "{turned}");
 }
+
+/// Parameters that change nothing here, and sets of the nodes of elements.
+#[test]
+fn harmless_parameters_change_nothing() {
+    let plain = solved_text::<2>("plain", &squares());
+    let text = squares()
+        .replace("*MATERIAL", "*SECTION CONTROLS, NAME=C, HOURGLASS=ENHANCED\n*ORIENTATION, NAME=O\n1., 0., 0., 0., 1., 0.\n3, 0.\n*MATERIAL")
+        .replace("ELSET=LOWER, MATERIAL=RUBBER", "ELSET=LOWER, MATERIAL=RUBBER, CONTROLS=C, ORIENTATION=O")
+        .replace("1000., 0.3", "1000., 0.3, 20.")
+        .replace("*CONTACT PAIR,", "*CONTACT PAIR, NO THICKNESS,")
+        .replace("*STEP", "*NSET, NSET=N, ELSET=UPPER\n*STEP, AMPLITUDE=STEP")
+        .replace("*END STEP", "*NODE PRINT, NSET=N, FREQUENCY=1\nRF\n*END STEP");
+    let outcome = solved_text::<2>("harmless", &text);
+    assert_eq!(outcome.displacement, plain.displacement);
+    // The nodes of UPPER are 5 to 8, two of which are held along x.
+    let by_label = squares().replace("*END STEP", "*NSET, NSET=N\n5, 6, 7, 8\n*NODE PRINT, NSET=N\nRF\n*END STEP");
+    assert_eq!(outcome.steps[0].sets, solved_text::<2>("labels", &by_label).steps[0].sets);
+    let notes = notes_of("harmless-notes", &text);
+    for expected in [
+        "*SECTION CONTROLS: elements are integrated in full",
+        "*ORIENTATION: materials have no directions",
+        "CONTROLS of *SOLID SECTION is not used: elements are integrated in full",
+        "ORIENTATION of *SOLID SECTION is not used: materials have no directions",
+        "the temperature of *ELASTIC is not used: its one line holds at all",
+        "AMPLITUDE=STEP is taken as RAMP: loads grow evenly to the end of the step",
+        "*NODE PRINT, FREQUENCY: results are those of the ends of steps",
+    ] {
+        assert!(notes.iter().any(|note| note == expected), "{expected}: {notes:?}");
+    }
+    let tied = squares().replace("*CONTACT PAIR, INTERACTION=RUB\n", "*TIE, NAME=T, NO ROTATION\n");
+    assert_eq!(said(&tied, "tied.inp"), "nothing");
+}
+
+/// A peak within a step is solved, and not written.
+#[test]
+fn peaks_within_steps_are_told() {
+    let with = |points: &str| {
+        let amplitude = format!("*AMPLITUDE, NAME=A\n{points}\n*STEP");
+        notes_of("peak", &squares().replace("*STEP", &amplitude).replace("*DLOAD", "*DLOAD, AMPLITUDE=A"))
+    };
+    let told = |notes: &[String]| notes.iter().filter(|note| note.starts_with("AMPLITUDE=A is")).count();
+    let notes = with("0., 0., 0.5, 1., 1., 0.25");
+    assert_eq!(told(&notes), 1, "{notes:?}");
+    assert!(notes.iter().any(|note| note.contains("is 1 at time 0.5, and 0.25 at the end of step 1")), "{notes:?}");
+    for even in ["0., 0., 1., 1.", "0., 0., 0.5, 0.7, 1., 1.", "0., 0., 1., 1., 2., 9."] {
+        assert_eq!(told(&with(even)), 0, "{even}");
+    }
+}

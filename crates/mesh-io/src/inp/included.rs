@@ -39,6 +39,8 @@ impl Expanded {
 
     /// Adds a text; `open` are the files that are being read.
     fn take(&mut self, text: &str, folder: Option<&Path>, open: &mut Vec<usize>) -> Result<()> {
+        // Editors of Windows mark UTF-8 by its first character.
+        let text = text.strip_prefix('\u{feff}').unwrap_or(text);
         let file = open[open.len() - 1];
         let mut lines = text.lines().zip(1..).peekable();
         while let Some((line, number)) = lines.next() {
@@ -74,7 +76,9 @@ impl Expanded {
     fn include(&mut self, name: &str, folder: Option<&Path>, open: &mut Vec<usize>) -> Result<()> {
         let folder = folder.context("there is no folder to look for it in")?;
         ensure!(open.len() <= MOST_LEVELS, "files are included in one another more than {MOST_LEVELS} times");
-        let path = folder.join(name);
+        // Files of Windows name folders with a backslash.
+        let exact = folder.join(name);
+        let path = if exact.exists() { exact } else { folder.join(name.replace('\\', "/")) };
         let is_file = fs::metadata(&path).with_context(|| format!("{} cannot be read", path.display()))?.is_file();
         ensure!(is_file, "{} is not a file", path.display());
         let bytes = fs::read(&path).with_context(|| format!("{} cannot be read", path.display()))?;

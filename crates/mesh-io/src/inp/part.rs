@@ -48,9 +48,8 @@ impl Part {
             let node = label(line, entries.next().unwrap_or_default())?;
             let mut point = [0.0; 3];
             for (place, x) in (2..).zip(&mut point) {
-                // Coordinates that a line does not reach are 0.
+                // Coordinates that are empty, or that a line does not reach, are 0.
                 let Some(field) = entries.next() else { break };
-                ensure!(!field.is_empty(), "line {line}: node {node} has no coordinate in field {place}");
                 *x = number(line, field).map_err(|error| anyhow!("{error} in field {place} of node {node}"))?;
             }
             let index = u32::try_from(self.points.len()).context("more nodes than 32 bits can number")?;
