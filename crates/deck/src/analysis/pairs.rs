@@ -32,26 +32,33 @@ struct Tie {
     parts: [Part; 2],
 }
 
-/// Pressure by penetration, if the file gives it; multipliers then leave the penetration as it is, so that it holds for all pairs. A penetration
-/// that is `wanted`, above 0, is another rule for the same.
+/// The largest pressure by penetration that the file gives, if it gives any; multipliers then leave the penetration as it is, so that all pairs
+/// that press need one. A penetration that is `wanted`, above 0, is another rule for the same.
 pub(super) fn stiffness(deck: &Deck, wanted: f64) -> Result<Option<f64>, Fault> {
     let of = |row: &PairRow| deck.interactions.get(&row.interaction).and_then(|interaction| interaction.stiffness);
     let Some(row) = deck.pairs.iter().find(|row| of(row).is_some()) else { return Ok(None) };
-    let slope = of(row);
     if wanted > 0.0 {
         return Err(Fault::new(
             row.line,
             "LINEAR defines the pressure by penetration, so that no penetration tolerance can be set",
         ));
     }
-    let is_mixed = deck.pairs.iter().any(|row| of(row) != slope) || !deck.ties.is_empty();
-    match is_mixed {
-        true => Err(Fault::new(
-            row.line,
-            "LINEAR is supported for all contact pairs with one slope, and not together \
-            with *TIE",
+    // Without multipliers ties would give way by the stiffness of the contact.
+    let is_tied = |row: &PairRow| deck.interactions.get(&row.interaction).is_some_and(|of| of.is_tied);
+    let ties =
+        deck.ties.iter().map(|row| row.line).chain(deck.pairs.iter().filter(|row| is_tied(row)).map(|row| row.line));
+    if let Some(line) = ties.min() {
+        return Err(Fault::new(row.line, format!("LINEAR is not supported together with the tie of line {line}: take HARD")));
+    }
+    match deck.pairs.iter().find(|row| of(row).is_none()) {
+        Some(other) => Err(Fault::new(
+            other.line,
+            format!(
+                "LINEAR is supported for all contact pairs or for none, and line {} has it: give this pair a slope",
+                row.line
+            ),
         )),
-        false => Ok(of(row)),
+        None => Ok(deck.pairs.iter().filter_map(of).reduce(f64::max)),
     }
 }
 

@@ -17,6 +17,7 @@ mod rigid;
 mod rings;
 mod rubber;
 mod scene;
+mod slopes;
 mod steps;
 mod tied_surfaces;
 mod typical;

@@ -19,8 +19,13 @@ fn what_is_not_known_is_named_by_its_line() {
         ("INTERACTION=PRESS, TYPE", "INTERACTION=PULL, TYPE", "there is no *SURFACE INTERACTION 'PULL'"),
         (
             "*CONTACT PAIR",
+            "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR\n1e4\n*SURFACE INTERACTION, NAME=HARD\n*CONTACT PAIR, INTERACTION=HARD\nSUPPER, SLOWER\n*CONTACT PAIR",
+            "LINEAR is supported for all contact pairs or for none, and line",
+        ),
+        (
+            "*CONTACT PAIR",
             "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR\n1e4\n*TIE\nSUPPER, SLOWER\n*CONTACT PAIR",
-            "LINEAR is supported for all contact pairs",
+            "LINEAR is not supported together with the tie of line",
         ),
         ("BOTTOM, 2, 2", "BUTTON, 2, 2", "there is no node set 'BUTTON'"),
         ("BOTTOM, 2, 2", "4711, 2, 2", "there is no node 4711"),
