@@ -36,6 +36,8 @@ pub(super) struct Borne {
     /// See [`StepResult`](super::StepResult).
     pub(super) reactions: Vec<[f64; 3]>,
     pub(super) references: Vec<ReferenceResult>,
+    /// Sum of the loads that the file names, wherever they act.
+    pub(super) load: [f64; 3],
 }
 
 /// Degrees of freedom of a reference node by which it turns its nodes.
@@ -208,6 +210,7 @@ pub(super) fn borne<const D: usize>(
     references: &[Reference<D>],
     results: Vec<ReferenceResult>,
     at: &Equilibrium<D>,
+    load: [f64; 3],
 ) -> Borne {
     let mut reactions = vec![[0.0; 3]; at.model().node_count()];
     at.problem().supports.iter().for_each(|(node, axis, _)| reactions[node][axis] = at.balance().residual[node][axis]);
@@ -223,7 +226,7 @@ pub(super) fn borne<const D: usize>(
             None => reactions.push(result.force),
         }
     }
-    Borne { reactions, references: results }
+    Borne { reactions, references: results, load }
 }
 
 /// How a reference node has moved its nodes, and what is applied to it.

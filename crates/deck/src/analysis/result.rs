@@ -72,7 +72,7 @@ impl StepResult {
         (number, time): (usize, f64),
         largest_force: f64,
         sets: &[(String, Vec<Point>)],
-        Borne { reactions, references }: Borne,
+        Borne { reactions, references, load }: Borne,
         label: &dyn Fn(usize) -> u64,
     ) -> Result<Self, StaticsError> {
         let (balance, model) = (at.balance(), at.model());
@@ -90,8 +90,6 @@ impl StepResult {
         let of_set = |points: &[Point]| points.iter().map(at_point).fold([0.0; 3], |sum, force| add(sum, &force));
         let sets = sets.iter().map(|(name, points)| (name.clone(), of_set(points))).collect();
         let in_space = |v: &[f64; D]| std::array::from_fn(|axis| v.get(axis).copied().unwrap_or(0.0));
-        let mut load = [0.0; 3];
-        at.problem().load.iter().for_each(|f| (0..D).for_each(|axis| load[axis] += f[axis]));
         let name = |partner: &Partner| match partner {
             Partner::Body(body) => model.parts()[*body].name.clone(),
             Partner::Obstacle(obstacle) => format!("obstacle {obstacle}"),

@@ -231,7 +231,7 @@ impl<const D: usize> State<D> {
             follow::result((number, reference), at, &moved).or_else(|| self.of_loose((number, reference), at, applied))
         };
         let results = self.references.iter().enumerate().filter_map(one).collect();
-        let mut borne = follow::borne(&self.references, results, at);
+        let mut borne = follow::borne(&self.references, results, at, self.load_sum(first));
         // What follows hands on what it bears; what is held bears it.
         for (&(place, axis), followed) in self.eliminated.range(..(first, 0)) {
             let lacking = at.balance().residual[place][axis];
@@ -242,6 +242,19 @@ impl<const D: usize> State<D> {
             }
         }
         borne
+    }
+
+    /// Sum of all forces at the end of the step: those on reference nodes as they are applied, since a moment that turns a node about a
+    /// held place has forces on nodes that its support bears.
+    fn load_sum(&self, node_count: usize) -> [f64; 3] {
+        let mut forces = vec![[0.0; D]; node_count];
+        self.spread.add_forces(self.end, &mut forces);
+        let mut sum = [0.0; 3];
+        forces.iter().for_each(|f| (0..D).for_each(|axis| sum[axis] += f[axis]));
+        for (&(_, axis), (value, _)) in self.forces.iter().filter(|((_, axis), _)| *axis < D) {
+            sum[axis] += value.at(self.end) / self.thickness;
+        }
+        sum
     }
 
     /// What holds a node of no element, and how it has moved, by the equations.

@@ -58,6 +58,20 @@ fn a_moment_on_a_free_end_bends_a_bar() {
     assert!(reference.moment[2].abs() < 1e-8 && reference.force.iter().all(|f| f.abs() < 1e-8), "{reference:?}");
 }
 
+/// A moment about a held place is no force: the row of loads has what the file names, and what is held bears the rest.
+#[test]
+fn moments_about_held_places_are_no_forces() {
+    let text = block("BASE", 1, [1, 1, 1], [[0.0; 3], [1.0; 3]])
+        + "*NODE\n900, 0.5, -1., 1.5\n"
+        + &elastic(&["BASE"], 1000.0, 0.3)
+        + "*RIGID BODY, NSET=BASE_HIGH, REF NODE=900\n*BOUNDARY\nBASE_LOW, 1, 3\n900, 1, 3\n900, 5, 6\n*STEP\n*STATIC\n\
+           *CLOAD\n900, 4, 2.\n900, 3, 5.\n*END STEP\n";
+    let step = solved_text::<3>("held-moment", &text).steps.remove(0);
+    assert_eq!(step.load, [0.0, 0.0, 5.0]);
+    // The residual is 1e-9 of forces of some units.
+    assert!((0..3).all(|k| (step.load[k] + step.reaction[k]).abs() < 1e-7), "{:?} {:?}", step.load, step.reaction);
+}
+
 #[test]
 fn rotations_that_no_node_feels_are_refused() {
     let text = |nodes: &str, head: &str| {
