@@ -48,7 +48,10 @@ pub(super) fn stiffness(deck: &Deck, wanted: f64) -> Result<Option<f64>, Fault> 
     let ties =
         deck.ties.iter().map(|row| row.line).chain(deck.pairs.iter().filter(|row| is_tied(row)).map(|row| row.line));
     if let Some(line) = ties.min() {
-        return Err(Fault::new(row.line, format!("LINEAR is not supported together with the tie of line {line}: take HARD")));
+        return Err(Fault::new(
+            row.line,
+            format!("LINEAR is not supported together with the tie of line {line}: take HARD"),
+        ));
     }
     match deck.pairs.iter().find(|row| of(row).is_none()) {
         Some(other) => Err(Fault::new(

@@ -46,8 +46,8 @@ impl From<Adjustment> for fmc_adjustment {
 /// `fmc_context_set_offsets`, and none in the last. Offsets do not turn with bodies.
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NOT_POSITIVE` for a length that is negative or NaN, `FMC_ERROR_UNSUPPORTED` for a mesh
-/// in parts, and for bodies that are already tied or glued across a gap, which they keep (adjust first), `FMC_ERROR_BUSY`; else as
-/// `fmc_context_gap_constraints`. The context is then unchanged. Threads: one call at a time on a context.
+/// in parts or for bodies that are tied or glued across a gap, `FMC_ERROR_BUSY`; else as `fmc_context_gap_constraints`. The context
+/// is then unchanged. Adjust bodies before you tie them: a tie keeps its gap. Threads: one call at a time on a context.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_adjust(
     context: *mut fmc_context,
