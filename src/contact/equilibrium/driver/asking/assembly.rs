@@ -15,6 +15,8 @@ pub(crate) struct Assembly<const D: usize> {
     pub(crate) rows: Vec<Vec<usize>>,
     /// Area that every row stands for on the surface; with axisymmetry that of rings, as in the host's matrix.
     pub(crate) area: Vec<f64>,
+    /// The same of the side of its surface that is largest there: at the corner of a cube the area of one face.
+    pub(crate) area_of_side: Vec<f64>,
     /// Mean outward unit normal at every row on the surface, else zero.
     pub(crate) normal: Vec<Vector<D>>,
     /// Positions of the rows.
@@ -45,6 +47,7 @@ impl<const D: usize> Assembly<D> {
         let (mut area_of, mut normal_of) = (vec![0.0; points.len()], vec![Vector::<D>::zeros(); points.len()]);
         let (mut surfaces, mut volumes) = (vec![0.0; body_count], vec![0.0; body_count]);
         let mut sizes = vec![Vec::new(); body_count];
+        let (mut parts, mut seen) = (Vec::new(), vec![Vector::<D>::zeros(); points.len()]);
         let (facets, weighting) = (contact.boundary_facets(), contact.method.weighting());
         let origin = facets.first().map_or_else(Vector::zeros, |facet| points[facet.nodes[0] as usize]);
         for facet in &facets {
@@ -60,6 +63,10 @@ impl<const D: usize> Assembly<D> {
             for &n in share {
                 area_of[n] += of_rings / share.len() as f64;
                 normal_of[n] += along;
+                if let Some(normal) = along.try_normalize(0.0) {
+                    seen[n] += normal * (of_rings / share.len() as f64);
+                    parts.push((n, normal));
+                }
                 of_point[n].get_or_insert(facet.body);
             }
             surfaces[facet.body] += area;
@@ -67,12 +74,15 @@ impl<const D: usize> Assembly<D> {
             let face = area * if is_quarter { 4.0 } else { (D - 1) as f64 };
             sizes[facet.body].push(face.powf(1.0 / (D as f64 - 1.0)));
         }
+        let mut side_of = vec![0.0f64; points.len()];
+        parts.into_iter().for_each(|(n, normal)| side_of[n] = side_of[n].max(normal.dot(&seen[n])));
         let used = points.iter().zip(&of_point).filter(|(_, body)| body.is_some()).map(|(x, _)| x);
         let row_count = coords.len();
         let mut found = Self {
             body: vec![None; row_count],
             rows: vec![Vec::new(); body_count],
             area: vec![0.0; row_count],
+            area_of_side: vec![0.0; row_count],
             normal: vec![Vector::zeros(); row_count],
             position: vec![Vector::zeros(); row_count],
             thickness: volumes.iter().zip(&surfaces).map(|(volume, area)| 2.0 * volume.abs() / area).collect(),
@@ -81,7 +91,7 @@ impl<const D: usize> Assembly<D> {
             is_tied: contact.ties.tied_bodies(body_count),
             size: Aabb::of(used).extent().max(),
         };
-        found.bring_to_rows(&surface.point_weights(), &of_point, (&points, &area_of, &normal_of));
+        found.bring_to_rows(&surface.point_weights(), &of_point, (&points, [&area_of, &side_of], &normal_of));
         for (row, body) in found.body.iter().enumerate() {
             if let Some(body) = body {
                 found.rows[*body].push(row);
@@ -95,7 +105,7 @@ impl<const D: usize> Assembly<D> {
         &mut self,
         weights: &PointWeights,
         of_point: &[Option<usize>],
-        (points, areas, normals): (&[Vector<D>], &[f64], &[Vector<D>]),
+        (points, [areas, sides], normals): (&[Vector<D>], [&[f64]; 2], &[Vector<D>]),
     ) {
         let mut sums = vec![0.0; self.body.len()];
         for point in (0..weights.point_count()).filter(|&point| of_point[point].is_some()) {
@@ -105,6 +115,7 @@ impl<const D: usize> Assembly<D> {
                 sums[row] += weight;
                 self.position[row] += weight * points[point];
                 self.area[row] += weight * areas[point];
+                self.area_of_side[row] += weight * sides[point];
                 self.normal[row] += weight * unit;
                 self.body[row] = self.body[row].or(of_point[point]);
             }
