@@ -117,7 +117,7 @@ fn a_search_that_is_given_up_leaves_nothing_behind() {
             return;
         }
         search.abandon(&mut contact);
-        assert!(matches!(search.next(&mut contact, None), Ok(Next::Refused(why)) if why.text.contains("given")));
+        assert!(matches!(search.next(&mut contact, None), Ok(Next::Refused(why)) if why.text.contains("abandoned")));
         assert_eq!((contact.evaluate(&placed).unwrap(), contact.multipliers()), wanted, "after {answers} answers");
     }
 }

@@ -198,7 +198,7 @@ def check_friction_law(
     --------
     >>> from fmc_contact import check_friction_law
     >>> check_friction_law(lambda facets: (0.3 * facets.pressure, np.full(len(facets), 0.3)), 2, 1.0, 1.0)[0]
-    'answers: the same question has the same answer, facet by facet'
+    'answers: the same input has the same answer, facet by facet'
     """
     raised: list[BaseException] = []
     struct, _alive = friction_law_struct(with_fields(law, fields), history, lambda function: guarded(function, raised))

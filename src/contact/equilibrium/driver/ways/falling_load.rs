@@ -54,7 +54,8 @@ pub(crate) async fn falling_load<const D: usize>(search: &mut Search<D>, start: 
     search.balance.measured_by(norm(&host.unknowns.freed(bodies.clone())).min(norm(&start.forces)));
     search.updates.fall_from(&start.contact);
     let part = dot(&now, &before) / dot(&before, &before);
-    if !(part.is_finite() && part < 1.0) {
+    // One that turns has all that it was along its old way, but for rounding.
+    if !(part.is_finite() && part < 1.0 - CHANGED) {
         return Ok(start);
     }
     // Whether forces where the step begins were those of a load that is gone or has turned is known after an equilibrium alone.
