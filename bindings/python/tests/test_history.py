@@ -237,7 +237,7 @@ def dragged(history, step):
     goal = np.zeros((4, 2))
     goal[0, 0] = 1
     value = [found.x[0, 0] for _, found in history.forward(SQUARE)][step]
-    back = history.backward(lambda at, found: (goal, None) if at == step else None, by=["friction", "positions"])
+    back = history.backward(lambda at, found: (goal, None) if at == step else None, by=["positions"])
     return value, sum((one.step + 1) * one.prescribed[2:, 0].sum() for one in back)
 
 
@@ -264,8 +264,9 @@ def test_nodes_on_the_axis_stay_there():
 
     def end(down):
         contact = Contact(disc, [[0, 1, 2, 3]], "quad", stiffness=1e4, friction_coefficient=0.3, axisymmetric=True)
-        contact.obstacles.add_half_space((0, down), (0, 1))
+        floor = contact.obstacles.add_half_space((0, 0), (0, 1))
         contact.friction.begin_step(disc)
+        contact.obstacles.set_pose(floor, (0, down))
         host = lambda x: (OF_SQUARE @ (x - disc).ravel(), OF_SQUARE)
         return find_equilibrium(host, contact, disc, [1, 2, 3], tolerance=1e-14)
 
