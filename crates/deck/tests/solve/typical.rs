@@ -101,7 +101,7 @@ fn harmless_parameters_change_nothing() {
         "ORIENTATION of *SOLID SECTION is not used: materials have no directions",
         "the temperature of *ELASTIC is not used: its one line holds at all",
         "AMPLITUDE=STEP is taken as RAMP: loads grow evenly to the end of the step",
-        "*NODE PRINT, FREQUENCY: results are those of the ends of steps",
+        "*NODE PRINT, FREQUENCY: results are written at the ends of steps",
     ] {
         assert!(notes.iter().any(|note| note == expected), "{expected}: {notes:?}");
     }

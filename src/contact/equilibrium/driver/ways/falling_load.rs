@@ -55,19 +55,19 @@ pub(crate) async fn falling_load<const D: usize>(search: &mut Search<D>, start: 
     search.updates.fall_from(&start.contact);
     let part = dot(&now, &before) / dot(&before, &before);
     // One that turns has all that it was along its old way, but for rounding.
-    if !(part.is_finite() && part < 1.0 - CHANGED) {
+    if !(part.is_finite() && part < 1.0 + CHANGED) {
         return Ok(start);
     }
+    let part = part.clamp(0.0, 1.0);
     // Whether forces where the step begins were those of a load that is gone or has turned is known after an equilibrium alone.
     if search.has_friction && (part > 0.0 || was_found) {
-        let (part, forces) = (part.max(0.0), norm(&start.forces));
-        search.falling =
-            Some(Falling { part, forces, before: search.host.contact(|contact| contact.all_multipliers()).await });
+        let (forces, before) = (norm(&start.forces), search.host.contact(|contact| contact.all_multipliers()).await);
+        search.falling = Some(Falling { part, forces, before });
     }
-    if !has_any {
+    if !has_any || part > 1.0 - CHANGED {
         return Ok(start);
     }
-    let_go(&search.host, start, part.max(0.0)).await
+    let_go(&search.host, start, part).await
 }
 
 /// The start with a part of the multipliers.
