@@ -946,7 +946,7 @@ class Contact:
         >>> free = Contact(coords, squares, "quad")
         >>> free.stiffness_from_masses(coords, np.ones(8), 0.01)
         >>> print(f"{free.stable_step(coords, np.ones(8)):.3f}")
-        0.024
+        0.017
         """
         view = coords_view(coords, self._core.dim)
         lumped = vector(masses, self._core.unknown_count, "masses")

@@ -54,8 +54,9 @@ pub(crate) async fn falling_load<const D: usize>(search: &mut Search<D>, start: 
     search.balance.measured_by(norm(&host.unknowns.freed(bodies.clone())).min(norm(&start.forces)));
     search.updates.fall_from(&start.contact);
     let part = dot(&now, &before) / dot(&before, &before);
-    // One that turns has all that it was along its old way, but for rounding.
-    if !(part.is_finite() && part < 1.0 + CHANGED) {
+    // One that turns has all that it was along its old way, but for rounding. Where there was hardly any, this one is new.
+    let is_new = norm(&before) <= CHANGED * norm(&now);
+    if is_new || !(part.is_finite() && part < 1.0 + CHANGED) {
         return Ok(start);
     }
     let part = part.clamp(0.0, 1.0);
