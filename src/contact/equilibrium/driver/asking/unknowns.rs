@@ -78,8 +78,12 @@ impl<const D: usize> Unknowns<D> {
 
     /// Coordinates that nothing free moves.
     pub(crate) fn supports(&self) -> Supports {
-        let is_held = |place| self.of(place).all(|(unknown, weight)| weight == 0.0 || !self.free[unknown]);
-        Supports::new((0..self.of_coordinate.len()).map(is_held))
+        Supports::new((0..self.of_coordinate.len()).map(|place| self.is_held(place)))
+    }
+
+    /// Whether nothing that is solved for moves a coordinate.
+    pub(crate) fn is_held(&self, place: usize) -> bool {
+        self.of(place).all(|(unknown, weight)| weight == 0.0 || !self.free[unknown])
     }
 
     /// Coordinates of the contact.

@@ -21,7 +21,6 @@ impl<const D: usize> Before<D> {
 
     /// Goes on from there. Friction is neither frozen nor softer.
     pub(crate) fn put_back(self, contact: &mut Contact<D>) {
-        contact.release_friction();
         contact.history.apart_at = None;
         if contact.history.stiffened != self.stiffened {
             // The factor was accepted the other way.

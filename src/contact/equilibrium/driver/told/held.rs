@@ -2,14 +2,14 @@
 
 use super::overlaps::{TOLD, deepest, told};
 use crate::contact::equilibrium::driver::asking::trouble::Trouble;
-use crate::contact::equilibrium::driver::asking::unknowns::Unknowns;
 use crate::contact::equilibrium::driver::progress::search::Search;
 use crate::contact::equilibrium::driver::progress::state::State;
 
 /// A sentence for every pair that overlaps at the end where all nodes on both sides are held.
 pub(crate) async fn held<const D: usize>(search: &Search<D>, end: &State<D>) -> Result<Vec<String>, Trouble> {
     let (assembly, unknowns) = (&search.assembly, &search.host.unknowns);
-    let is_held: Vec<bool> = (0..unknowns.base.len()).map(|node| is_held(unknowns, node)).collect();
+    let is_held = |node: usize| (node * D..(node + 1) * D).all(|place| unknowns.is_held(place));
+    let is_held: Vec<bool> = (0..unknowns.base.len()).map(is_held).collect();
     let presses = |(force, is_held): (&[f64; D], &bool)| *is_held && force.iter().any(|force| *force != 0.0);
     if !end.contact.forces.iter().zip(&is_held).any(presses) {
         return Ok(Vec::new());
@@ -28,8 +28,4 @@ pub(crate) async fn held<const D: usize>(search: &Search<D>, end: &State<D>) -> 
         )
     };
     Ok(told(assembly, &deepest).map(|(names, depth, part)| said(names, depth, part)).collect())
-}
-
-fn is_held<const D: usize>(unknowns: &Unknowns<D>, node: usize) -> bool {
-    (node * D..(node + 1) * D).all(|place| unknowns.of(place).all(|(unknown, _)| !unknowns.free[unknown]))
 }
