@@ -26,6 +26,7 @@ mod rigid_meshes;
 mod round_obstacles;
 mod scans;
 mod shells;
+mod slices;
 mod slopes;
 mod swallowed;
 mod symmetry;
