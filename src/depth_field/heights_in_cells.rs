@@ -43,6 +43,8 @@ type Corner = Vec<(u32, u64)>;
 struct Heights {
     sum: f64,
     count: f64,
+    /// That of the first facet there.
+    of_facet: Option<f64>,
     /// Of facets that meet at an edge of the body there is none.
     differ: bool,
 }
@@ -201,7 +203,8 @@ impl Known {
     fn add(&mut self, place: [u32; 2], height: f64, is_surface: bool) {
         let [p, q] = place;
         let heights = self.heights.entry([p.min(q), p.max(q)]).or_default();
-        heights.differ |= is_surface && heights.count > 0.0 && heights.sum != height * heights.count;
+        // Each with the first: a sum of equal heights may be rounded.
+        heights.differ |= is_surface && *heights.of_facet.get_or_insert(height) != height;
         heights.sum += height;
         heights.count += 1.0;
     }
