@@ -5,9 +5,9 @@
 
 #![allow(dead_code, missing_docs)]
 
-#[path = "../../src/geometry/aabb.rs"]
+#[path = "../../src/geometry/primitives/aabb.rs"]
 mod aabb;
-#[path = "../../src/geometry/tree.rs"]
+#[path = "../../src/geometry/primitives/tree.rs"]
 mod tree;
 
 use aabb::Aabb;

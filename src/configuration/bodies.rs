@@ -3,7 +3,7 @@
 use super::body_tree::BodyTree;
 use super::{CellCheck, FacetSide, FacetTree};
 use crate::Error;
-use crate::geometry::aabb::Aabb;
+use crate::geometry::primitives::aabb::Aabb;
 use crate::geometry::{Surface, Vector};
 use std::ops::Range;
 

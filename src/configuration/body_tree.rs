@@ -2,8 +2,8 @@
 
 use super::facet_tree::LOOSE;
 use crate::geometry::Vector;
-use crate::geometry::aabb::Aabb;
-use crate::geometry::tree::Tree;
+use crate::geometry::primitives::aabb::Aabb;
+use crate::geometry::primitives::tree::Tree;
 
 /// A tree over the bodies' boxes, kept from one evaluation to the next.
 #[derive(Default)]

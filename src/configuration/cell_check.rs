@@ -9,10 +9,10 @@
 
 use crate::Error;
 use crate::geometry::Vector;
-use crate::geometry::aabb::Aabb;
-use crate::geometry::cells::Cells;
-use crate::geometry::facet::determinant;
-use crate::geometry::inverted::CHUNK;
+use crate::geometry::mesh::cells::Cells;
+use crate::geometry::mesh::inverted::CHUNK;
+use crate::geometry::primitives::aabb::Aabb;
+use crate::geometry::primitives::facet::determinant;
 use crate::geometry::second_order::{CurvedCells, MapCheck};
 use rayon::prelude::*;
 

@@ -2,8 +2,8 @@
 
 use super::facet_tree::FacetTree;
 use crate::geometry::Vector;
-use crate::geometry::aabb::Aabb;
-use crate::geometry::inside::winding_step;
+use crate::geometry::primitives::aabb::Aabb;
+use crate::geometry::primitives::inside::winding_step;
 use crate::geometry::shapes::Faces;
 
 /// A body (or an obstacle bounded by facets) as the estimators see it.

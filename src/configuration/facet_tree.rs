@@ -1,8 +1,8 @@
 //! A search tree over the facets of one body, kept from one evaluation to the next.
 
 use crate::geometry::Vector;
-use crate::geometry::aabb::Aabb;
-use crate::geometry::tree::Tree;
+use crate::geometry::primitives::aabb::Aabb;
+use crate::geometry::primitives::tree::Tree;
 use rayon::prelude::*;
 
 /// A tree is built anew once its leaves are this much looser than when it was built: it costs as much as some ten

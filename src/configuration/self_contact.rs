@@ -6,10 +6,10 @@
 
 use super::FacetSide;
 use crate::geometry::Vector;
-use crate::geometry::aabb::Aabb;
-use crate::geometry::facet::area_vector;
-use crate::geometry::facet_slopes::cross;
-use crate::geometry::tree::Tree;
+use crate::geometry::primitives::aabb::Aabb;
+use crate::geometry::primitives::facet::area_vector;
+use crate::geometry::primitives::facet_slopes::cross;
+use crate::geometry::primitives::tree::Tree;
 
 /// Facets that share a vertex can cross only if they are bent against each other: with unit normals whose product is
 /// larger than this they are two pieces of one smooth surface, which meets itself elsewhere if at all.

@@ -5,11 +5,11 @@
 
 use super::FacetSide;
 use crate::geometry::Vector;
-use crate::geometry::aabb::Aabb;
-use crate::geometry::components::Components;
-use crate::geometry::convex_piece::{Piece, clip_to_box, place};
-use crate::geometry::facet::area_vector;
-use crate::geometry::quadrature::mean;
+use crate::geometry::mesh::components::Components;
+use crate::geometry::primitives::aabb::Aabb;
+use crate::geometry::primitives::convex_piece::{Piece, clip_to_box, place};
+use crate::geometry::primitives::facet::area_vector;
+use crate::geometry::primitives::quadrature::mean;
 
 /// Winding numbers are counted along the last axis. A facet that is seen more nearly edge-on from there does not tell on
 /// which of its sides a point lies.

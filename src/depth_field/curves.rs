@@ -3,8 +3,8 @@
 use super::divisions::Divisions;
 use super::heights_in_cells::{HeightsInCells, SagTerm};
 use super::rims::at_rims;
-use crate::geometry::cells::Cells;
-use crate::geometry::facet_sags::{FacetSag, FacetSags};
+use crate::geometry::boundary::facet_sags::{FacetSag, FacetSags};
+use crate::geometry::mesh::cells::Cells;
 use crate::geometry::{Surface, Vector};
 use rustc_hash::FxHashMap;
 

@@ -1,8 +1,8 @@
 //! Distances of points from the surface of a body.
 
-use crate::geometry::aabb::Aabb;
-use crate::geometry::nearest_on_facet::squared_distance;
-use crate::geometry::tree::Tree;
+use crate::geometry::primitives::aabb::Aabb;
+use crate::geometry::primitives::nearest_on_facet::squared_distance;
+use crate::geometry::primitives::tree::Tree;
 use crate::geometry::{Surface, Vector};
 
 /// The facets of every body that are surface, to be found by place.

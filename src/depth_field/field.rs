@@ -8,11 +8,11 @@ use super::divisions::{CellPoint, CellSimplex, Divisions};
 use super::near_surface::NearSurface;
 use super::node_depths::{CELLS_BETWEEN, node_depths};
 use super::point_origin::PointOrigin;
-use crate::geometry::aabb::Aabb;
-use crate::geometry::cells::Cells;
-use crate::geometry::components::Components;
-use crate::geometry::nearest_on_facet::nearest;
-use crate::geometry::symmetry::Symmetry;
+use crate::geometry::boundary::symmetry::Symmetry;
+use crate::geometry::mesh::cells::Cells;
+use crate::geometry::mesh::components::Components;
+use crate::geometry::primitives::aabb::Aabb;
+use crate::geometry::primitives::nearest_on_facet::nearest;
 use crate::geometry::{CellType, Surface, Vector, Weighting};
 
 /// Depth below the surface of its body at every point of every cell.

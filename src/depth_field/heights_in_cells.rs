@@ -12,10 +12,10 @@
 //! body, and have other heights there, it is zero: the function has no step anywhere.
 
 use super::divisions::Divisions;
-use crate::geometry::cells::Cells;
-use crate::geometry::facet::area_vector;
-use crate::geometry::facet_sags::{FacetSag, edge_count};
-use crate::geometry::facet_slopes::slopes;
+use crate::geometry::boundary::facet_sags::{FacetSag, edge_count};
+use crate::geometry::mesh::cells::Cells;
+use crate::geometry::primitives::facet::area_vector;
+use crate::geometry::primitives::facet_slopes::slopes;
 use crate::geometry::{Surface, Vector};
 use rustc_hash::{FxHashMap, FxHashSet};
 

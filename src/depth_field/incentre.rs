@@ -1,7 +1,7 @@
 //! Points that are as high above several faces of a simplex: for all faces the centre of the inscribed ball.
 
 use crate::geometry::Vector;
-use crate::geometry::facet::area_vector;
+use crate::geometry::primitives::facet::area_vector;
 
 /// Weights that add up to 1 and are zero but for the corners opposite to some faces, named by bits, in a point that is as high above each of
 /// these; and its height. `None` where the simplex is flat.

@@ -1,7 +1,7 @@
 //! How the point that is as high above several faces of a simplex changes as its corners move.
 
 use crate::geometry::Vector;
-use crate::geometry::facet::{area_slopes, area_vector};
+use crate::geometry::primitives::facet::{area_slopes, area_vector};
 
 /// Derivative by the corners of Σ cₖ wₖ + r ρ, where wₖ are the weights of the corners in the point of `incentre`, and ρ is its height above the
 /// faces, which are named by the bits of the corners opposite to them.

@@ -2,7 +2,7 @@
 
 use super::distances::Distances;
 use crate::geometry::Vector;
-use crate::geometry::cells::Cells;
+use crate::geometry::mesh::cells::Cells;
 use rustc_hash::FxHashSet;
 
 /// The surface seen from cells that have nodes on it.

@@ -2,8 +2,8 @@
 
 use super::distances::Distances;
 use crate::geometry::Vector;
-use crate::geometry::cells::Cells;
-use crate::geometry::hanging::HangingNode;
+use crate::geometry::mesh::cells::Cells;
+use crate::geometry::mesh::hanging::HangingNode;
 
 /// Cells between two looks at whether the work is to end.
 pub(super) const CELLS_BETWEEN: usize = 256;

@@ -3,8 +3,8 @@
 use super::divisions::MOST_NODES;
 use super::field::DepthField;
 use crate::geometry::Vector;
-use crate::geometry::cells::Cells;
-use crate::geometry::facet_slopes::cross;
+use crate::geometry::mesh::cells::Cells;
+use crate::geometry::primitives::facet_slopes::cross;
 
 /// A simplex of a cell on which its depth is linear.
 #[derive(Clone, Copy, Debug)]

@@ -9,8 +9,8 @@ use super::field::DepthField;
 use super::incentre::all_corners;
 use super::incentre_slopes::incentre_slopes;
 use super::point_origin::PointOrigin;
-use crate::geometry::nearest_on_facet::nearest;
-use crate::geometry::symmetry::Symmetry;
+use crate::geometry::boundary::symmetry::Symmetry;
+use crate::geometry::primitives::nearest_on_facet::nearest;
 use crate::geometry::{Surface, Vector, Weighting};
 
 /// What is asked by the corners of the pieces of one cell, in the order of their numbers: first its nodes, then its points.

@@ -3,7 +3,7 @@
 //! The depth below the faces is continuous, so it has no height on a rim, and in the row of facets along it less than the faces have. What presses
 //! there has the sag of one side alone.
 
-use crate::geometry::facet_sags::{FacetSag, edge_count};
+use crate::geometry::boundary::facet_sags::{FacetSag, edge_count};
 use std::collections::BTreeSet;
 
 /// Part of the height of an edge by which that of the other facet there is another.

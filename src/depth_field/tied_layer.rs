@@ -7,8 +7,8 @@
 
 use super::field::DepthField;
 use super::pieces::DepthPiece;
-use crate::geometry::cells::Cells;
-use crate::geometry::facet::area_vector;
+use crate::geometry::mesh::cells::Cells;
+use crate::geometry::primitives::facet::area_vector;
 use crate::geometry::{Surface, Vector};
 use rustc_hash::FxHashSet;
 

@@ -3,10 +3,10 @@
 use super::between::Between;
 use super::near_facets::NearFacets;
 use crate::Error;
-use crate::geometry::aabb::Aabb;
-use crate::geometry::convex_piece::{Corners, Piece, place, value};
-use crate::geometry::facet::{area_vector, determinant};
-use crate::geometry::tree::Tree;
+use crate::geometry::primitives::aabb::Aabb;
+use crate::geometry::primitives::convex_piece::{Corners, Piece, place, value};
+use crate::geometry::primitives::facet::{area_vector, determinant};
+use crate::geometry::primitives::tree::Tree;
 use crate::geometry::{Surface, Vector};
 use std::collections::BTreeSet;
 

@@ -2,7 +2,7 @@
 
 use super::common_pieces::{CommonPiece, Facing};
 use crate::Error;
-use crate::geometry::facet::area_vector;
+use crate::geometry::primitives::facet::area_vector;
 use crate::geometry::{Vector, Weighting};
 use crate::overlap::{Partner, Warning};
 use std::collections::BTreeMap;

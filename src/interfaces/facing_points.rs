@@ -2,10 +2,10 @@
 
 use super::common_pieces::{CommonPiece, Facing};
 use super::place::{Weights, of_vertices, weights};
-use crate::geometry::convex_piece::{cut, place, value};
-use crate::geometry::facet::area_vector;
-use crate::geometry::quadrature::for_each_simplex;
-use crate::geometry::simplex_rule::{InSimplex, degree_5};
+use crate::geometry::primitives::convex_piece::{cut, place, value};
+use crate::geometry::primitives::facet::area_vector;
+use crate::geometry::primitives::quadrature::for_each_simplex;
+use crate::geometry::primitives::simplex_rule::{InSimplex, degree_5};
 use crate::geometry::{Surface, Vector, Weighting};
 
 /// Facets of two surfaces, by number in the mesh's surface, as they lie.

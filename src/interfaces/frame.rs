@@ -4,7 +4,7 @@
 //! d²(a·n) = [t·d²N]/|N| − [(n·dN)(t·δN) + (n·δN)(t·dN) + (a·n) dN·P δN]/|N|². A direction has a sum over the corners in place of N.
 
 use crate::geometry::Vector;
-use crate::geometry::facet::{area_slopes, area_vector};
+use crate::geometry::primitives::facet::{area_slopes, area_vector};
 
 /// A D by D matrix, row by row.
 pub(super) type Matrix<const D: usize> = [[f64; D]; D];

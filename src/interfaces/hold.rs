@@ -1,7 +1,7 @@
 //! Whether the means of one side hold what is tied as firmly as the jump itself would.
 
 use super::place::Weights;
-use crate::geometry::components::Components;
+use crate::geometry::mesh::components::Components;
 use crate::geometry::{Vector, cross_matrix};
 use nalgebra::{Matrix3, Vector3};
 use std::collections::BTreeMap;

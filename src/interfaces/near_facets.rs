@@ -1,8 +1,8 @@
 //! The facets of two sides, found by place.
 
 use crate::geometry::Vector;
-use crate::geometry::aabb::Aabb;
-use crate::geometry::tree::Tree;
+use crate::geometry::primitives::aabb::Aabb;
+use crate::geometry::primitives::tree::Tree;
 use std::collections::BTreeMap;
 
 /// The facets of two bodies, to be found by place.

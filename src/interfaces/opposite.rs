@@ -2,11 +2,11 @@
 
 use super::common_pieces::{CommonPiece, Facing};
 use super::place::{Weights, of_vertices, position, weights};
-use crate::geometry::convex_piece::place;
-use crate::geometry::facet::area_vector;
-use crate::geometry::facet_slopes::slopes;
-use crate::geometry::quadrature::for_each_simplex;
-use crate::geometry::simplex_rule::degree_5;
+use crate::geometry::primitives::convex_piece::place;
+use crate::geometry::primitives::facet::area_vector;
+use crate::geometry::primitives::facet_slopes::slopes;
+use crate::geometry::primitives::quadrature::for_each_simplex;
+use crate::geometry::primitives::simplex_rule::degree_5;
 use crate::geometry::{Vector, Weighting};
 
 /// Rounds in which the place opposite to a point is found on a curve, and the part of a facet that is near enough.

@@ -14,7 +14,7 @@ use super::opposite::Opposite;
 use super::place::{Weights, of_vertices, place_of};
 use super::sums_by_node::SumsByNode;
 use crate::Error;
-use crate::geometry::facet::area_vector;
+use crate::geometry::primitives::facet::area_vector;
 use crate::geometry::{Surface, Vector, Weighting};
 use std::collections::BTreeMap;
 use std::rc::Rc;

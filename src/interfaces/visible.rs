@@ -8,10 +8,10 @@
 
 use super::common_pieces::{Facing, seen_along};
 use crate::geometry::Vector;
-use crate::geometry::aabb::Aabb;
-use crate::geometry::convex_piece::{Corners, cut, place, value};
-use crate::geometry::facet::area_vector;
-use crate::geometry::quadrature::for_each_simplex;
+use crate::geometry::primitives::aabb::Aabb;
+use crate::geometry::primitives::convex_piece::{Corners, cut, place, value};
+use crate::geometry::primitives::facet::area_vector;
+use crate::geometry::primitives::quadrature::for_each_simplex;
 
 impl<const D: usize> Facing<'_, D> {
     /// The parts of a piece of the first facet, whose corners and normal these are, from which nothing hides the second, the gap being
@@ -107,7 +107,7 @@ fn size<const D: usize>(piece: &[[f64; D]]) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::geometry::convex_piece::whole;
+    use crate::geometry::primitives::convex_piece::whole;
 
     /// Without its middle third an interval is two, without the triangle that its middles span a triangle is three.
     #[test]

@@ -5,8 +5,8 @@
 
 use super::own_mesh::{OwnMesh, SentCell};
 use crate::Error;
-use crate::geometry::aabb::Aabb;
-use crate::geometry::tree::Tree;
+use crate::geometry::primitives::aabb::Aabb;
+use crate::geometry::primitives::tree::Tree;
 use crate::geometry::{Surface, Vector};
 use crate::ranks::Ranks;
 

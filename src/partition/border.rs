@@ -4,8 +4,8 @@ use super::mesh_part::MeshPart;
 use super::own_mesh::{OwnMesh, box_of};
 use crate::Error;
 use crate::geometry::Surface;
-use crate::geometry::aabb::Aabb;
-use crate::geometry::submesh::{LoneFace, Whole};
+use crate::geometry::boundary::submesh::{LoneFace, Whole};
+use crate::geometry::primitives::aabb::Aabb;
 use crate::ranks::Ranks;
 use std::collections::{BTreeMap, BTreeSet};
 

@@ -3,9 +3,9 @@
 use crate::Error;
 use crate::contact::{Contact, Poses};
 use crate::geometry::Surface;
-use crate::geometry::aabb::Aabb;
-use crate::geometry::submesh::hash_of;
-use crate::geometry::symmetry::Symmetry;
+use crate::geometry::boundary::submesh::hash_of;
+use crate::geometry::boundary::symmetry::Symmetry;
+use crate::geometry::primitives::aabb::Aabb;
 
 /// Something that was done at coordinates of an earlier epoch, and would be needed again for other cells.
 #[derive(Clone, Debug)]

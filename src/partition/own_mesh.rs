@@ -2,9 +2,9 @@
 
 use super::mesh_part::MeshPart;
 use crate::Error;
-use crate::geometry::aabb::Aabb;
-use crate::geometry::submesh::Whole;
-use crate::geometry::symmetry::Symmetry;
+use crate::geometry::boundary::submesh::Whole;
+use crate::geometry::boundary::symmetry::Symmetry;
+use crate::geometry::primitives::aabb::Aabb;
 use crate::geometry::{Bodies, CellType, Surface, Vector};
 use crate::ranks::packed;
 use rustc_hash::FxHashMap;

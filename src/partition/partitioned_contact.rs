@@ -12,8 +12,8 @@ use crate::configuration::CellCheck;
 use crate::contact::with_poses;
 use crate::contact::{Contact, Needed, Options, hash_in_common, needed};
 use crate::geometry::Vector;
-use crate::geometry::aabb::Aabb;
-use crate::geometry::symmetry::{NamedFace, Symmetry, SymmetryPlane, check_bodies, planes_of};
+use crate::geometry::boundary::symmetry::{NamedFace, Symmetry, SymmetryPlane, check_bodies, planes_of};
+use crate::geometry::primitives::aabb::Aabb;
 use crate::ranks::{Communicator, Ranks, packed};
 use std::collections::BTreeMap;
 

@@ -3,7 +3,7 @@
 use super::own_mesh::OwnMesh;
 use crate::Error;
 use crate::geometry::Vector;
-use crate::geometry::aabb::Aabb;
+use crate::geometry::primitives::aabb::Aabb;
 use crate::ranks::Ranks;
 
 /// What all ranks know of the whole mesh at some coordinates.

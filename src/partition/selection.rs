@@ -3,7 +3,7 @@
 use super::own_mesh::OwnMesh;
 use crate::contact::Needed;
 use crate::geometry::Vector;
-use crate::geometry::aabb::Aabb;
+use crate::geometry::primitives::aabb::Aabb;
 
 /// Where cells are looked for: at these own coordinates, within `margin` of what is needed.
 pub(super) struct Search<'a, const D: usize> {

@@ -2,8 +2,8 @@
 
 use super::stream::uniforms;
 use crate::geometry::Vector;
-use crate::geometry::aabb::Aabb;
-use crate::geometry::crossing::{Projected, Window};
+use crate::geometry::primitives::aabb::Aabb;
+use crate::geometry::primitives::crossing::{Projected, Window};
 
 /// Angle by which directions leave the coordinate axes: the golden angle's complement, an irrational part of a turn.
 /// Meshes are often aligned with the axes; a pattern aligned with the mesh is exact or poor by luck.
@@ -153,7 +153,7 @@ fn tilted_frame<const D: usize>() -> [Vector<D>; D] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::geometry::facet::determinant;
+    use crate::geometry::primitives::facet::determinant;
 
     fn frames_are_right_handed<const D: usize>() {
         let mut tilted = Vector::<D>::repeat(0.3);

@@ -2,8 +2,8 @@
 
 use super::stream::uniforms;
 use crate::geometry::Vector;
-use crate::geometry::aabb::Aabb;
-use crate::geometry::crossing::Projected;
+use crate::geometry::primitives::aabb::Aabb;
+use crate::geometry::primitives::crossing::Projected;
 
 /// Stream of the segments: 0 … 2 belong to the standard families, 64 and above to those of patches.
 const OF_SEGMENTS: u64 = 8;

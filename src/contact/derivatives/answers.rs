@@ -8,7 +8,7 @@ use crate::contact::friction::Tractions;
 use crate::contact::laws::Answer;
 use crate::contact::method::Method;
 use crate::contact::partners::Partners;
-use crate::geometry::plane::Plane;
+use crate::geometry::primitives::plane::Plane;
 use crate::geometry::shapes::ImplicitShape;
 use crate::geometry::{Vector, moment};
 use crate::overlap::{Estimator, LineWeights, Partner};

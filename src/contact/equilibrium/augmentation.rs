@@ -9,7 +9,7 @@ use crate::contact::method::Options;
 use crate::contact::results::GapConstraints;
 use crate::contact::ties::{Supports, TieChange, TieMultipliers};
 use crate::geometry::Vector;
-use crate::geometry::aabb::Aabb;
+use crate::geometry::primitives::aabb::Aabb;
 use crate::overlap::Partner;
 use std::collections::BTreeMap;
 

@@ -7,7 +7,7 @@ use super::state::State;
 use crate::Error;
 use crate::configuration::Configuration;
 use crate::contact::laws::FoundPatches;
-use crate::geometry::aabb::Aabb;
+use crate::geometry::primitives::aabb::Aabb;
 use crate::ranks::caught;
 
 /// Calls `work` with the bodies at `coords`.

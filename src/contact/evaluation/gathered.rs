@@ -4,8 +4,8 @@ use super::needed::needed;
 use super::parts::Contact;
 use crate::Error;
 use crate::configuration::Configuration;
-use crate::geometry::aabb::Aabb;
-use crate::geometry::submesh::hash_of;
+use crate::geometry::boundary::submesh::hash_of;
+use crate::geometry::primitives::aabb::Aabb;
 
 /// Refuses coordinates and obstacles at which cells of a mesh in parts may be missing.
 pub(crate) fn check_gathered<const D: usize>(

@@ -5,8 +5,8 @@ use super::parts::Contact;
 use crate::Error;
 use crate::configuration::BodyTree;
 use crate::geometry::Vector;
-use crate::geometry::aabb::Aabb;
-use crate::geometry::plane::Plane;
+use crate::geometry::primitives::aabb::Aabb;
+use crate::geometry::primitives::plane::Plane;
 use crate::geometry::shapes::{Faces, ImplicitShape};
 use crate::overlap::{ImplicitSide, Partner, obstacle_region};
 

@@ -16,7 +16,7 @@
 
 use super::traction::{ROUNDING, Stick, Traction};
 use crate::geometry::Vector;
-use crate::geometry::facet_slopes::cross;
+use crate::geometry::primitives::facet_slopes::cross;
 use nalgebra::SMatrix;
 
 /// Limits along two axes, by the larger of both.

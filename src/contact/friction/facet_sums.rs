@@ -9,7 +9,7 @@ use super::touch::Bearing;
 use super::turn::turned;
 use crate::contact::laws::PressurePoint;
 use crate::geometry::Vector;
-use crate::geometry::facet::area_vector;
+use crate::geometry::primitives::facet::area_vector;
 use crate::overlap::Pair;
 use nalgebra::SMatrix;
 use std::collections::BTreeMap;

@@ -11,8 +11,8 @@
 
 use super::step::{Sliding, Step};
 use crate::contact::laws::{PointOnSide, PressurePoint};
-use crate::geometry::facet::area_vector;
-use crate::geometry::facet_slopes::slopes;
+use crate::geometry::primitives::facet::area_vector;
+use crate::geometry::primitives::facet_slopes::slopes;
 use crate::geometry::{Pose, Vector, cross_matrix};
 use crate::interfaces::LawFields;
 use crate::overlap::{Pair, Partner, PlaceInCell, SurfacePoint};

@@ -8,7 +8,7 @@ use crate::contact::method::Options;
 use crate::contact::partners::PairOptions;
 use crate::contact::results::{ContactForces, GapConstraints, NodalContact, PointOfContact};
 use crate::contact::tangents::{Tangent, TangentPart};
-use crate::geometry::symmetry::SymmetryPlane;
+use crate::geometry::boundary::symmetry::SymmetryPlane;
 use crate::geometry::{Basis, BoundaryFacet, Obstacle, PointWeights, Pose, Surface};
 use crate::overlap::{FiberTrace, Overlap, Partner};
 use crate::ranks::{Asked, Communicator, RankCounts};

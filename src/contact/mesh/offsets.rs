@@ -5,7 +5,7 @@
 //! energy as before. The vectors do not turn with the bodies.
 
 use crate::Error;
-use crate::geometry::submesh::hash_of;
+use crate::geometry::boundary::submesh::hash_of;
 
 /// The vectors, by point of the straight mesh; none: all are zero.
 #[derive(Clone, Debug, Default, PartialEq)]

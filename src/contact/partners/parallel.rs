@@ -2,9 +2,9 @@
 
 use super::rigid::Rigid;
 use crate::configuration::{FacetSide, FacetTree};
-use crate::geometry::aabb::Aabb;
+use crate::geometry::primitives::aabb::Aabb;
+use crate::geometry::primitives::tree::Tree;
 use crate::geometry::shapes::{ImplicitShape, Solid};
-use crate::geometry::tree::Tree;
 use crate::geometry::{Pose, SignedDistance, Surface, Vector};
 use crate::overlap::distance_from_facets;
 use std::sync::Arc;

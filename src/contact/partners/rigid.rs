@@ -2,8 +2,8 @@
 
 use crate::Error;
 use crate::configuration::{FacetSide, FacetTree};
-use crate::geometry::aabb::Aabb;
-use crate::geometry::plane::Plane;
+use crate::geometry::primitives::aabb::Aabb;
+use crate::geometry::primitives::plane::Plane;
 use crate::geometry::shapes::{Extent, Faces, ImplicitShape, Solid};
 use crate::geometry::{Obstacle, Pose, Vector};
 

@@ -2,7 +2,7 @@
 
 use super::worn_facet::{WornFacet, check};
 use crate::Error;
-use crate::geometry::facet::area_vector;
+use crate::geometry::primitives::facet::area_vector;
 use crate::geometry::{Surface, Vector};
 use std::collections::BTreeMap;
 use std::sync::Arc;

@@ -8,7 +8,7 @@ use super::point_rows::row;
 use super::shape_functions::{ShapeFunctions, places, point_places};
 use crate::Error;
 use crate::error::MapPoint;
-use crate::geometry::facet::determinant;
+use crate::geometry::primitives::facet::determinant;
 use crate::geometry::{CellType, Vector};
 use nalgebra::DMatrix;
 use std::ops::Range;

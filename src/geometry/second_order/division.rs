@@ -7,7 +7,7 @@ use super::entities::Entities;
 use super::interpolation::Interpolation;
 use super::point_rows::row;
 use crate::Error;
-use crate::geometry::cells::check_nodes;
+use crate::geometry::mesh::cells::check_nodes;
 use crate::geometry::{Bodies, CellBlock, CellType};
 use std::collections::BTreeMap;
 

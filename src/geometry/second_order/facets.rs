@@ -3,7 +3,7 @@
 use super::division::{Division, Points};
 use super::entities::Entities;
 use crate::Error;
-use crate::geometry::cells::check_nodes;
+use crate::geometry::mesh::cells::check_nodes;
 use crate::geometry::{CellType, FacetBlock, FacetType};
 
 impl Entities {

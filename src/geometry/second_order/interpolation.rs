@@ -1,7 +1,7 @@
 //! Points as fixed linear combinations of the host's nodes.
 
 use crate::Error;
-use crate::geometry::hanging::HangingNode;
+use crate::geometry::mesh::hanging::HangingNode;
 use std::collections::BTreeMap;
 
 /// X = P x: rows of nodes and weights, one for every point.

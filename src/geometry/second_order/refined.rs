@@ -2,7 +2,7 @@
 
 use super::division::{Division, Origin, Place};
 use super::interpolation::Interpolation;
-use crate::geometry::cells::Cells;
+use crate::geometry::mesh::cells::Cells;
 use crate::geometry::{CellBlock, CellType};
 use std::collections::BTreeMap;
 

@@ -2,7 +2,7 @@
 
 use super::division::Division;
 use super::interpolation::Interpolation;
-use crate::geometry::weld::Welds;
+use crate::geometry::mesh::weld::Welds;
 
 impl Division {
     /// The same with the first of some nodes that are one in their mean, wherever a point comes from it.

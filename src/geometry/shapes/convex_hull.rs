@@ -4,8 +4,8 @@ use super::faces::Faceted;
 use super::solid::Solid;
 use crate::Error;
 use crate::geometry::Vector;
-use crate::geometry::aabb::Aabb;
-use crate::geometry::facet::area_vector;
+use crate::geometry::primitives::aabb::Aabb;
+use crate::geometry::primitives::facet::area_vector;
 
 /// What counts as flat, and as beside a facet, in parts of the points' extent: parry's hull takes what is nearer to a
 /// facet than 1e-14 for a part of it, and a hull so thin would be noise.

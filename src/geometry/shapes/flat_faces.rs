@@ -3,10 +3,10 @@
 use super::plane_tree::PlaneTree;
 use super::ridges::Ridges;
 use crate::geometry::Vector;
-use crate::geometry::aabb::Aabb;
-use crate::geometry::facet::area_vector;
-use crate::geometry::inside::winding_number;
-use crate::geometry::tree::Tree;
+use crate::geometry::primitives::aabb::Aabb;
+use crate::geometry::primitives::facet::area_vector;
+use crate::geometry::primitives::inside::winding_number;
+use crate::geometry::primitives::tree::Tree;
 use std::cell::Cell;
 
 /// Corners that lie above a face by this part of the surface's extent lie in it: rounding of coordinates is far below, and

@@ -1,7 +1,7 @@
 //! Nearest points of boundaries, by parry's point queries.
 
 use super::faces::Faces;
-use crate::geometry::aabb::Aabb;
+use crate::geometry::primitives::aabb::Aabb;
 
 /// From a point to whether it is inside and the nearest point of the boundary, in the frame of the shape.
 pub(super) type Query<const D: usize> = Box<dyn Fn(&[f64; D]) -> (bool, [f64; D]) + Send + Sync>;

@@ -1,7 +1,7 @@
 //! A tree over planes: of many, those below which a place is the least deep are found without looking at all.
 
 use crate::geometry::Vector;
-use crate::geometry::aabb::Aabb;
+use crate::geometry::primitives::aabb::Aabb;
 
 /// Largest number of planes in a leaf.
 const LEAF: usize = 4;

@@ -1,6 +1,6 @@
 //! Simplices of one to three dimensions, divided and cut.
 
-use crate::geometry::simplex_rule::InSimplex;
+use crate::geometry::primitives::simplex_rule::InSimplex;
 
 /// Corners of a simplex, in the barycentric coordinates of another.
 pub(crate) type Corners = [InSimplex; 4];

@@ -3,9 +3,9 @@
 use super::near_surface::NearSurface;
 use crate::Error;
 use crate::geometry::Vector;
-use crate::geometry::convex_piece::place;
-use crate::geometry::facet::area_slopes;
-use crate::geometry::simplex_rule::degree_5;
+use crate::geometry::primitives::convex_piece::place;
+use crate::geometry::primitives::facet::area_slopes;
+use crate::geometry::primitives::simplex_rule::degree_5;
 use crate::overlap::pair::body_facet::BodyFacet;
 use crate::overlap::pair::sides::Pair;
 

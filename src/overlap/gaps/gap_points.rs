@@ -2,9 +2,9 @@
 
 use super::near_surface::{NearSurface, Nearest};
 use crate::Error;
-use crate::geometry::convex_piece::{cut, place, whole};
-use crate::geometry::quadrature::for_each_simplex;
-use crate::geometry::simplex_rule::degree_5;
+use crate::geometry::primitives::convex_piece::{cut, place, whole};
+use crate::geometry::primitives::quadrature::for_each_simplex;
+use crate::geometry::primitives::simplex_rule::degree_5;
 use crate::overlap::pair::body_facet::BodyFacet;
 use crate::overlap::pair::sides::Pair;
 

@@ -3,9 +3,9 @@
 use super::height_slopes::HeightSlopes;
 use crate::Error;
 use crate::geometry::Vector;
-use crate::geometry::aabb::Aabb;
-use crate::geometry::convex_piece::place;
-use crate::geometry::nearest_on_facet::nearest;
+use crate::geometry::primitives::aabb::Aabb;
+use crate::geometry::primitives::convex_piece::place;
+use crate::geometry::primitives::nearest_on_facet::nearest;
 use crate::overlap::pair::obstacle_distance::{Distance, ObstacleDistance, signed};
 use crate::overlap::pair::sides::{Counterpart, Pair};
 

@@ -2,8 +2,8 @@
 
 use crate::configuration::FacetSide;
 use crate::geometry::Vector;
-use crate::geometry::aabb::Aabb;
-use crate::geometry::crossing::{Projected, Window};
+use crate::geometry::primitives::aabb::Aabb;
+use crate::geometry::primitives::crossing::{Projected, Window};
 use crate::sampling::{Family, Segment};
 use std::ops::Range;
 use std::sync::Mutex;

@@ -3,8 +3,8 @@
 use super::bundle::Bundle;
 use super::sweep::Event;
 use crate::configuration::FacetSide;
-use crate::geometry::aabb::Aabb;
-use crate::geometry::crossing::{Window, for_each_crossing};
+use crate::geometry::primitives::aabb::Aabb;
+use crate::geometry::primitives::crossing::{Window, for_each_crossing};
 use crate::overlap::pair::sides::Counterpart;
 use crate::sampling::Segment;
 use std::ops::Range;

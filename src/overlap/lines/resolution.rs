@@ -2,8 +2,8 @@
 
 use crate::Error;
 use crate::configuration::FacetSide;
-use crate::geometry::aabb::Aabb;
-use crate::geometry::facet::area_vector;
+use crate::geometry::primitives::aabb::Aabb;
+use crate::geometry::primitives::facet::area_vector;
 use crate::overlap::pair::options::{LineWeights, Resolution};
 use crate::sampling::Family;
 

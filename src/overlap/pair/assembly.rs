@@ -1,8 +1,8 @@
 //! From crossings, or clipped pieces, to the gradient on nodes and poses.
 
 use crate::configuration::FacetSide;
-use crate::geometry::aabb::Aabb;
-use crate::geometry::facet::{area_vector, moment};
+use crate::geometry::primitives::aabb::Aabb;
+use crate::geometry::primitives::facet::{area_vector, moment};
 use crate::geometry::{Pose, Surface, Vector};
 use crate::overlap::pair::overlap::PoseGradient;
 use crate::ranks::packed;

@@ -1,7 +1,7 @@
 //! A facet of a body, and the nodes that move it.
 
 use crate::configuration::FacetSide;
-use crate::geometry::facet::area_vector;
+use crate::geometry::primitives::facet::area_vector;
 use crate::geometry::{Surface, Vector};
 
 /// Nodes that move a facet: those of a quadrilateral face move each of its triangles.

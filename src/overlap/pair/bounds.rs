@@ -1,7 +1,7 @@
 //! Planes between which the overlap of a pair lies.
 
 use crate::geometry::Vector;
-use crate::geometry::aabb::Aabb;
+use crate::geometry::primitives::aabb::Aabb;
 
 /// Half-spaces `normal · x ≤ level` that hold all of an overlap.
 pub(crate) struct Bounds<const D: usize>(pub(super) Vec<(Vector<D>, f64)>);

@@ -3,7 +3,7 @@
 
 use super::sides::ImplicitSide;
 use crate::Error;
-use crate::geometry::aabb::Aabb;
+use crate::geometry::primitives::aabb::Aabb;
 use crate::geometry::{SignedDistance, Vector};
 
 /// A slope that is larger than 1 by more than this part is no rounding.

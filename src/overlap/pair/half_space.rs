@@ -2,7 +2,7 @@
 
 use super::sides::{Counterpart, Pair};
 use crate::Error;
-use crate::geometry::plane::Plane;
+use crate::geometry::primitives::plane::Plane;
 
 impl<const D: usize> Pair<'_, D> {
     /// The plane of a half-space, where that is the second side.

@@ -9,9 +9,9 @@ use super::region::Region;
 use super::sides::{Counterpart, Pair};
 use crate::configuration::FacetSide;
 use crate::geometry::Vector;
-use crate::geometry::aabb::Aabb;
-use crate::geometry::convex_piece::{Piece, clip_to_box, place};
-use crate::geometry::facet::area_vector;
+use crate::geometry::primitives::aabb::Aabb;
+use crate::geometry::primitives::convex_piece::{Piece, clip_to_box, place};
+use crate::geometry::primitives::facet::area_vector;
 
 impl<const D: usize> Pair<'_, D> {
     /// The direction in which most of the boundary in the pair's region looks.
@@ -119,7 +119,10 @@ mod tests {
                     let mut corners = [x; 4].map(|x| x + Vector::from_fn(|_, _| random.between(-size, size)));
                     corners[3] = x * 4.0 - corners[0] - corners[1] - corners[2];
                     let part = bounds.box_of_part(&corners);
-                    assert!(part.inflated(1e-12).contains(&crate::geometry::aabb::Aabb { min: x, max: x }), "{x:?}");
+                    assert!(
+                        part.inflated(1e-12).contains(&crate::geometry::primitives::aabb::Aabb { min: x, max: x }),
+                        "{x:?}"
+                    );
                 }
             }
             [in_bounds, in_overlap].map(|hits| f64::from(hits as u32) / f64::from(count))

@@ -4,12 +4,12 @@ use super::distance_slopes::{STEEP, steep};
 use super::sides::{Counterpart, ImplicitSide};
 use crate::Error;
 use crate::configuration::FacetSide;
-use crate::geometry::aabb::Aabb;
-use crate::geometry::convex_piece::place;
-use crate::geometry::facet::area_vector;
-use crate::geometry::nearest_on_facet::nearest;
+use crate::geometry::primitives::aabb::Aabb;
+use crate::geometry::primitives::convex_piece::place;
+use crate::geometry::primitives::facet::area_vector;
+use crate::geometry::primitives::nearest_on_facet::nearest;
+use crate::geometry::primitives::tree::Tree;
 use crate::geometry::shapes::{ConvexShape, HalfSpace, ImplicitShape};
-use crate::geometry::tree::Tree;
 use crate::geometry::{Pose, SignedDistance, Vector};
 use std::cell::Cell;
 

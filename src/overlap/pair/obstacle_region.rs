@@ -3,8 +3,8 @@
 use super::distance_slopes::check_slopes;
 use super::sides::ImplicitSide;
 use crate::Error;
-use crate::geometry::aabb::Aabb;
-use crate::geometry::plane::Plane;
+use crate::geometry::primitives::aabb::Aabb;
+use crate::geometry::primitives::plane::Plane;
 use crate::geometry::shapes::{Extent, ImplicitShape};
 use crate::geometry::{Pose, SignedDistance, Vector};
 

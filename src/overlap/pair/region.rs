@@ -2,7 +2,7 @@
 
 use super::bounds::Bounds;
 use super::main_normal::MainNormal;
-use crate::geometry::aabb::Aabb;
+use crate::geometry::primitives::aabb::Aabb;
 use std::sync::OnceLock;
 
 /// Where two bodies can overlap, and the facets of each that reach there.

@@ -5,8 +5,8 @@ use super::region::Region;
 use super::sides::{Counterpart, Pair};
 use crate::Error;
 use crate::configuration::FacetSide;
-use crate::geometry::aabb::Aabb;
-use crate::geometry::convex_piece::{Piece, clip_to_box};
+use crate::geometry::primitives::aabb::Aabb;
+use crate::geometry::primitives::convex_piece::{Piece, clip_to_box};
 
 /// Rounds of trimming. Two find the lens of two balls; more are for curved slots.
 const ROUNDS: usize = 3;

@@ -5,9 +5,9 @@
 //! weighs n / Σ_k ρ_k |d_k·n|, which is bounded, and the gradient is unbiased but not that of one number.
 
 use crate::Error;
-use crate::geometry::convex_piece::place;
-use crate::geometry::crossing::weights_at;
-use crate::geometry::facet::area_vector;
+use crate::geometry::primitives::convex_piece::place;
+use crate::geometry::primitives::crossing::weights_at;
+use crate::geometry::primitives::facet::area_vector;
 use crate::overlap::lines::bundle::Bundle;
 use crate::overlap::lines::layout::{FiberPair, Layout};
 use crate::overlap::lines::resolution::FEWEST_FIBERS;

@@ -2,7 +2,7 @@
 
 use super::cell_pieces::CellPieces;
 use crate::depth_field::MOST_NODES;
-use crate::geometry::cells::Cells;
+use crate::geometry::mesh::cells::Cells;
 use crate::geometry::{Vector, Weighting};
 use crate::overlap::pair::second_derivative::SecondDerivative;
 use crate::overlap::sums::block_sum::{BlockSum, product};

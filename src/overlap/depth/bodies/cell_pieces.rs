@@ -1,9 +1,9 @@
 //! The pieces of a body's cells that reach into a region.
 
 use crate::depth_field::{DepthField, DepthPiece};
-use crate::geometry::aabb::Aabb;
-use crate::geometry::cells::Cells;
-use crate::geometry::tree::Tree;
+use crate::geometry::mesh::cells::Cells;
+use crate::geometry::primitives::aabb::Aabb;
+use crate::geometry::primitives::tree::Tree;
 use crate::geometry::{Surface, Vector};
 use crate::overlap::pair::bounds::Bounds;
 use crate::overlap::pair::partner::Partner;

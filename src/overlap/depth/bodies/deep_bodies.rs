@@ -5,7 +5,7 @@ use super::cell_pieces::CellPieces;
 use crate::Error;
 use crate::depth_field::DepthField;
 use crate::geometry::Vector;
-use crate::geometry::cells::Cells;
+use crate::geometry::mesh::cells::Cells;
 use crate::overlap::depth::curved_faces::curved_faces;
 use crate::overlap::depth::facet_sums::FacetSums;
 use crate::overlap::depth::integral::{DepthIntegral, DepthRequest};

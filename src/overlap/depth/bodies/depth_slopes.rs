@@ -18,7 +18,7 @@ use super::facet_part::FacetPart;
 use crate::Error;
 use crate::configuration::FacetSide;
 use crate::depth_field::{CellSlopes, DepthPiece, ReferenceSlopes};
-use crate::geometry::convex_piece::Piece;
+use crate::geometry::primitives::convex_piece::Piece;
 use crate::geometry::{Vector, Weighting};
 use crate::overlap::depth::integral::DepthRequest;
 use crate::overlap::pair::body_facet::BodyFacet;

@@ -5,8 +5,8 @@
 
 use crate::depth_field::{DepthPiece, MOST_NODES};
 use crate::geometry::Weighting;
-use crate::geometry::cells::Cells;
-use crate::geometry::facet::area_slopes;
+use crate::geometry::mesh::cells::Cells;
+use crate::geometry::primitives::facet::area_slopes;
 use crate::overlap::pair::body_facet::{BodyFacet, FACET_NODES};
 use crate::overlap::pair::second_derivative::SecondDerivative;
 use crate::overlap::sums::block_sum::{BlockSum, product};

@@ -3,8 +3,8 @@
 use super::facet_part::FacetPart;
 use crate::depth_field::DepthPiece;
 use crate::geometry::Vector;
-use crate::geometry::convex_piece::Piece;
-use crate::geometry::simplex::Simplex;
+use crate::geometry::primitives::convex_piece::Piece;
+use crate::geometry::primitives::simplex::Simplex;
 
 /// A facet all of whose corners are nearer to a face than this part of the height above it may lie in the face but for
 /// rounding: digits are lost there, and two pieces at the face must agree to which of them it belongs.

@@ -7,8 +7,8 @@ use super::point_blocks::PointSlopes;
 use super::rules::border_points;
 use crate::depth_field::DepthPiece;
 use crate::geometry::Vector;
-use crate::geometry::convex_piece::place;
-use crate::geometry::facet_slopes::cross;
+use crate::geometry::primitives::convex_piece::place;
+use crate::geometry::primitives::facet_slopes::cross;
 use crate::overlap::depth::bodies::FacetPart;
 
 impl<const D: usize> FacetPoints<'_, D> {

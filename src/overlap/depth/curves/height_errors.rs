@@ -10,7 +10,7 @@
 //! On a circle of radius R, with faces that turn by α, heights grow as α² R and φ as α: e goes with the fourth power of α. Rings of 12 to
 //! 64 faces are wrong by up to α⁴ R / 90 where cells are of second order, and by α⁴ R / 100 to 200 where they are smoothed.
 
-use crate::geometry::sags::SMOOTH;
+use crate::geometry::boundary::sags::SMOOTH;
 use crate::overlap::pair::sides::Pair;
 use crate::overlap::pair::warning::Warning;
 use crate::ranks::packed;

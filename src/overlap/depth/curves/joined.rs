@@ -8,7 +8,7 @@ use crate::Error;
 use crate::configuration::FacetSide;
 use crate::depth_field::Curves;
 use crate::geometry::Vector;
-use crate::geometry::aabb::Aabb;
+use crate::geometry::primitives::aabb::Aabb;
 use crate::overlap::depth::bodies::{CHUNK, CellPieces, DeepBodies};
 use crate::overlap::depth::curved_faces::curved_faces;
 use crate::overlap::depth::facet_sums::FacetSums;

@@ -3,8 +3,8 @@
 use super::point_blocks::PointBlocks;
 use crate::depth_field::DepthPiece;
 use crate::geometry::Vector;
-use crate::geometry::facet::area_vector;
-use crate::geometry::facet_sags::FacetSag;
+use crate::geometry::boundary::facet_sags::FacetSag;
+use crate::geometry::primitives::facet::area_vector;
 use crate::overlap::depth::bodies::PointSums;
 use crate::overlap::pair::body_facet::BodyFacet;
 

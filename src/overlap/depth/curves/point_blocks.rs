@@ -2,7 +2,7 @@
 
 use crate::depth_field::{DepthPiece, MOST_NODES, Quadratic};
 use crate::geometry::Vector;
-use crate::geometry::cells::Cells;
+use crate::geometry::mesh::cells::Cells;
 use crate::overlap::pair::body_facet::{BodyFacet, FACET_NODES};
 use crate::overlap::sums::block_sum::BlockSum;
 

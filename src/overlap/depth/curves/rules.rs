@@ -1,6 +1,6 @@
 //! Quadratures on facets and on borders.
 
-use crate::geometry::simplex_rule::degree_5;
+use crate::geometry::primitives::simplex_rule::degree_5;
 
 /// Points on a simplex of a facet, and their weights.
 pub(super) struct Rules {

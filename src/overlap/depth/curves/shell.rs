@@ -3,9 +3,9 @@
 use crate::configuration::FacetSide;
 use crate::depth_field::{Curves, DepthPiece, MOST_NODES, Quadratic};
 use crate::geometry::Vector;
-use crate::geometry::aabb::Aabb;
-use crate::geometry::facet::area_vector;
-use crate::geometry::tree::Tree;
+use crate::geometry::primitives::aabb::Aabb;
+use crate::geometry::primitives::facet::area_vector;
+use crate::geometry::primitives::tree::Tree;
 use crate::overlap::depth::bodies::CellPieces;
 use nalgebra::SMatrix;
 use rustc_hash::FxHashMap;

@@ -7,7 +7,7 @@
 
 use crate::Error;
 use crate::geometry::Vector;
-use crate::geometry::simplex_rule::{InSimplex, degree_5};
+use crate::geometry::primitives::simplex_rule::{InSimplex, degree_5};
 use crate::overlap::depth::simplex_parts::{Corners, WHOLE, below, between};
 use crate::overlap::pair::obstacle_distance::{Distance, ObstacleDistance};
 use crate::overlap::pair::sides::Pair;

@@ -5,8 +5,8 @@ use super::facet_moments::FacetMoments;
 use super::facet_part::FacetPart;
 use super::least_of::cut_to_least;
 use crate::geometry::Weighting;
-use crate::geometry::convex_piece::Piece;
-use crate::geometry::quadrature::for_each_gauss_point;
+use crate::geometry::primitives::convex_piece::Piece;
+use crate::geometry::primitives::quadrature::for_each_gauss_point;
 use crate::overlap::pair::body_facet::BodyFacet;
 use crate::overlap::pair::second_derivative::SecondDerivative;
 

@@ -2,9 +2,9 @@
 
 use crate::configuration::FacetSide;
 use crate::geometry::Vector;
-use crate::geometry::aabb::Aabb;
-use crate::geometry::facet::area_vector;
-use crate::geometry::plane::Plane;
+use crate::geometry::primitives::aabb::Aabb;
+use crate::geometry::primitives::facet::area_vector;
+use crate::geometry::primitives::plane::Plane;
 use crate::geometry::shapes::{PlaneBounds, PlaneTree};
 use std::borrow::Cow;
 

@@ -1,7 +1,7 @@
 //! What a facet of a body has inside an obstacle.
 
-use crate::geometry::convex_piece::place;
-use crate::geometry::facet::area_slopes;
+use crate::geometry::primitives::convex_piece::place;
+use crate::geometry::primitives::facet::area_slopes;
 use crate::geometry::{Vector, Weighting};
 use crate::overlap::depth::facet_sums::FacetSums;
 use crate::overlap::depth::integral::DepthRequest;

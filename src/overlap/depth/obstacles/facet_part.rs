@@ -1,7 +1,7 @@
 //! Parts of a facet, halved where too many faces are near.
 
 use crate::geometry::Vector;
-use crate::geometry::convex_piece::place;
+use crate::geometry::primitives::convex_piece::place;
 
 /// Linear functions of which the least is looked for on a facet: each is compared with each, so that it is cheaper to halve the
 /// facet from some such number on.

@@ -1,6 +1,6 @@
 //! Parts of a facet on which one of several linear functions is the least.
 
-use crate::geometry::convex_piece::Piece;
+use crate::geometry::primitives::convex_piece::Piece;
 
 /// Cuts a facet to where function number `k` is positive and not above the others, all given at the facet's corners;
 /// false if there is no such part. Functions that agree on the whole facet to `rounding` belong to the first of them, so

@@ -12,8 +12,8 @@
 use super::convex_solid::{ConvexSolid, Linear, PlacedFaces, below_face, bounds, height_of};
 use crate::configuration::FacetSide;
 use crate::geometry::Vector;
-use crate::geometry::aabb::Aabb;
-use crate::geometry::convex_piece::{Piece, clip_to_box};
+use crate::geometry::primitives::aabb::Aabb;
+use crate::geometry::primitives::convex_piece::{Piece, clip_to_box};
 use crate::geometry::shapes::{FLAT, PlaneTree};
 use std::borrow::Cow;
 

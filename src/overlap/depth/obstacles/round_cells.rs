@@ -7,8 +7,8 @@
 use super::convex_solid::{ConvexSolid, Linear};
 use crate::configuration::FacetSide;
 use crate::geometry::Vector;
-use crate::geometry::aabb::Aabb;
-use crate::geometry::convex_piece::Piece;
+use crate::geometry::primitives::aabb::Aabb;
+use crate::geometry::primitives::convex_piece::Piece;
 use crate::geometry::shapes::{ConvexFaces, Ridge};
 
 /// Least cosine between the lines along which a cell is summed and the normals at its border.

@@ -7,7 +7,7 @@
 
 use super::round_cells::{Nearest, across};
 use crate::geometry::Vector;
-use crate::geometry::convex_piece::place;
+use crate::geometry::primitives::convex_piece::place;
 
 /// Gauss' rule of eight points on the interval from −1 to 1: half of it.
 const GAUSS: [(f64, f64); 4] = [

@@ -5,7 +5,7 @@ use super::labels::{are_alike, at_vertices};
 use super::partition::LeftOut;
 use super::sample::ContactSample;
 use crate::geometry::Vector;
-use crate::geometry::components::Components;
+use crate::geometry::mesh::components::Components;
 use crate::overlap::pair::sides::{Counterpart, Pair};
 use crate::overlap::pair::surface_point::SurfacePoint;
 use nalgebra::{Matrix3, Vector3};

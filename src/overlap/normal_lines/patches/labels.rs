@@ -4,8 +4,8 @@ use super::directions::nearest;
 use super::partition::{Labels, Patches};
 use crate::configuration::FacetSide;
 use crate::geometry::Vector;
-use crate::geometry::components::Components;
-use crate::geometry::facet::area_vector;
+use crate::geometry::mesh::components::Components;
+use crate::geometry::primitives::facet::area_vector;
 
 /// Facets of one side that share a vertex look the same way if the cosine between their normals is larger: 32°.
 pub(crate) const ALIKE: f64 = 0.85;

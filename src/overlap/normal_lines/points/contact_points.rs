@@ -12,7 +12,7 @@ use super::contact_point::ContactPoint;
 use super::edge_terms::{Anchor, GapKink, SilhouettePoint};
 use super::facet_sums::{FacetSum, facet_sums};
 use crate::geometry::Vector;
-use crate::geometry::facet_slopes::across;
+use crate::geometry::primitives::facet_slopes::across;
 use crate::overlap::normal_lines::patches::partition::Patches;
 use crate::overlap::pair::assembly::{Assembly, FacetShare, PointShare};
 use crate::overlap::pair::overlap::{Overlap, PoseGradient};

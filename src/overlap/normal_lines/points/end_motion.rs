@@ -3,7 +3,7 @@
 use super::contact_point::ContactPoint;
 use super::contact_points::ContactPoints;
 use super::edge_terms::{Anchor, GapKink};
-use crate::geometry::facet_slopes::slopes;
+use crate::geometry::primitives::facet_slopes::slopes;
 use crate::geometry::{Surface, Vector};
 use crate::overlap::pair::sides::Pair;
 use crate::overlap::pair::surface_point::SurfacePoint;

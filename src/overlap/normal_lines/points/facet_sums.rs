@@ -5,7 +5,7 @@
 
 use super::contact_point::ContactPoint;
 use crate::geometry::Vector;
-use crate::geometry::facet::area_vector;
+use crate::geometry::primitives::facet::area_vector;
 use crate::overlap::pair::sides::Pair;
 use crate::overlap::pair::surface_point::SurfacePoint;
 use rustc_hash::FxHashMap;

@@ -2,7 +2,7 @@
 
 use super::contact_points::ContactPoints;
 use crate::geometry::Vector;
-use crate::geometry::aabb::Aabb;
+use crate::geometry::primitives::aabb::Aabb;
 use crate::overlap::pair::fiber_trace::FiberTrace;
 use crate::overlap::pair::sides::Pair;
 

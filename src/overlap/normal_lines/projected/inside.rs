@@ -4,8 +4,8 @@ use super::projected_facets::{ProjectedFacet, Projection, flat};
 use super::projected_pair::ProjectedPair;
 use crate::configuration::FacetSide;
 use crate::geometry::Vector;
-use crate::geometry::aabb::Aabb;
-use crate::geometry::plane::Plane;
+use crate::geometry::primitives::aabb::Aabb;
+use crate::geometry::primitives::plane::Plane;
 use crate::overlap::pair::sides::Counterpart;
 
 impl<const D: usize> ProjectedPair<'_, D> {

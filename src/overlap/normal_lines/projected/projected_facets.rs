@@ -2,10 +2,10 @@
 
 use super::work::Work;
 use crate::geometry::Vector;
-use crate::geometry::aabb::Aabb;
-use crate::geometry::convex_piece::{Corners, cut, value};
-use crate::geometry::quadrature::measure;
-use crate::geometry::tree::Tree;
+use crate::geometry::primitives::aabb::Aabb;
+use crate::geometry::primitives::convex_piece::{Corners, cut, value};
+use crate::geometry::primitives::quadrature::measure;
+use crate::geometry::primitives::tree::Tree;
 use crate::overlap::pair::surface_point::SurfacePoint;
 use smallvec::SmallVec;
 

@@ -1,7 +1,7 @@
 //! Contact points on sampled lines, one family along the direction of every patch.
 
 use crate::Error;
-use crate::geometry::crossing::weights_at;
+use crate::geometry::primitives::crossing::weights_at;
 use crate::overlap::lines::bundle::Bundle;
 use crate::overlap::lines::layout::{FiberPair, Layout};
 use crate::overlap::lines::resolution::FEWEST_FIBERS;

@@ -1,8 +1,8 @@
 //! Cells as simplices.
 
 use crate::geometry::Vector;
-use crate::geometry::cells::Cells;
-use crate::geometry::simplex::Simplex;
+use crate::geometry::mesh::cells::Cells;
+use crate::geometry::primitives::simplex::Simplex;
 
 /// Corner opposite to every face of a triangle, and of a tetrahedron.
 const OPPOSITE: [&[usize]; 2] = [&[2, 0, 1], &[3, 2, 0, 1]];

@@ -6,8 +6,8 @@
 //! The cost is that of the cells found, whatever the size of the body.
 
 use crate::geometry::Vector;
-use crate::geometry::aabb::Aabb;
-use crate::geometry::cells::Cells;
+use crate::geometry::mesh::cells::Cells;
+use crate::geometry::primitives::aabb::Aabb;
 
 /// A facet's box, as far as it lies on the facet's plane, both widened by the same distance.
 pub(crate) struct Slab<const D: usize> {
@@ -121,7 +121,7 @@ impl CellSet {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::geometry::facet::area_vector;
+    use crate::geometry::primitives::facet::area_vector;
     use crate::geometry::{Bodies, CellBlock, CellType, Surface};
     use fmc_shapes::{cuboid_hex8, cuboid_tet4};
 

@@ -2,9 +2,9 @@
 
 use super::cell_walk::{CellWalk, Slab};
 use super::solid::Solid;
-use crate::geometry::convex_piece::{Piece, clip_below, place};
-use crate::geometry::facet::area_vector;
-use crate::geometry::plane::Plane;
+use crate::geometry::primitives::convex_piece::{Piece, clip_below, place};
+use crate::geometry::primitives::facet::area_vector;
+use crate::geometry::primitives::plane::Plane;
 use crate::geometry::{Vector, Weighting};
 use crate::overlap::pair::assembly::FacetShare;
 use crate::ranks::packed;

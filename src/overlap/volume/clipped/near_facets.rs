@@ -2,9 +2,9 @@
 
 use crate::configuration::FacetSide;
 use crate::geometry::Vector;
-use crate::geometry::aabb::Aabb;
-use crate::geometry::facet::area_vector;
-use crate::geometry::tree::Tree;
+use crate::geometry::primitives::aabb::Aabb;
+use crate::geometry::primitives::facet::area_vector;
+use crate::geometry::primitives::tree::Tree;
 use crate::overlap::pair::region::Region;
 use crate::overlap::pair::sides::Pair;
 

@@ -4,10 +4,10 @@ use super::cell_simplices::for_each_simplex;
 use super::cell_walk::{CellWalk, Slab};
 use super::near_facets::Facets;
 use crate::configuration::FacetSide;
-use crate::geometry::aabb::Aabb;
-use crate::geometry::cells::Cells;
-use crate::geometry::simplex::Simplex;
-use crate::geometry::tree::Tree;
+use crate::geometry::mesh::cells::Cells;
+use crate::geometry::primitives::aabb::Aabb;
+use crate::geometry::primitives::simplex::Simplex;
+use crate::geometry::primitives::tree::Tree;
 
 /// A body as simplices that can be found by place.
 pub(crate) enum Solid<'a, const D: usize> {

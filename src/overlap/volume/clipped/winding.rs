@@ -7,9 +7,9 @@
 use super::near_facets::Facets;
 use crate::configuration::FacetSide;
 use crate::geometry::Vector;
-use crate::geometry::aabb::Aabb;
-use crate::geometry::components::Components;
-use crate::geometry::facet::area_vector;
+use crate::geometry::mesh::components::Components;
+use crate::geometry::primitives::aabb::Aabb;
+use crate::geometry::primitives::facet::area_vector;
 
 /// What is known of facets that hang together.
 #[derive(Clone, Copy)]

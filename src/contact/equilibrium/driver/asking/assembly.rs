@@ -2,8 +2,8 @@
 
 use crate::Error;
 use crate::contact::evaluation::Contact;
-use crate::geometry::aabb::Aabb;
-use crate::geometry::facet::area_vector;
+use crate::geometry::primitives::aabb::Aabb;
+use crate::geometry::primitives::facet::area_vector;
 use crate::geometry::{PointWeights, Vector};
 use crate::overlap::Partner;
 

@@ -1,0 +1,122 @@
+//! The surface for which a straight facet stands, as a height above it.
+//!
+//! `curved_faces` (of second order) · `smoothed` (of faces around a vertex) · `agreement` (of facets that meet)
+
+mod agreement;
+mod curved_faces;
+mod smoothed;
+
+use crate::geometry::primitives::facet::area_vector;
+use crate::geometry::{Surface, Vector};
+use smoothed::Smoothed;
+use std::ops::Range;
+
+/// How far a surface lies outside of a straight facet, along the facet's normal and without deformation: a quadratic function of the
+/// facet's barycentric coordinates.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct FacetSag<const D: usize> {
+    /// At the corners.
+    pub(crate) at_corners: [f64; D],
+    /// In the middle of the edge from a corner to the next one, above the mean of both; in 2D the first is that of the facet itself.
+    pub(crate) at_edges: [f64; D],
+}
+
+impl<const D: usize> FacetSag<D> {
+    /// No height.
+    pub(crate) const FLAT: Self = Self { at_corners: [0.0; D], at_edges: [0.0; D] };
+
+    /// The height at a place of the facet.
+    pub(crate) fn at(&self, weights: &[f64; D]) -> f64 {
+        let corners = weights.iter().zip(&self.at_corners).map(|(w, s)| w * s).sum::<f64>();
+        let edges = self.at_edges.iter().enumerate().map(|(k, s)| 4.0 * s * weights[k] * weights[(k + 1) % D]);
+        corners + edges.sum::<f64>()
+    }
+
+    /// Its derivatives by the barycentric coordinates of the place, as if each changed alone.
+    pub(crate) fn slopes(&self, weights: &[f64; D]) -> [f64; D] {
+        let mut slopes = self.at_corners;
+        for (k, s) in self.at_edges.iter().enumerate().take(edge_count(D)) {
+            let next = (k + 1) % D;
+            slopes[k] += 4.0 * s * weights[next];
+            slopes[next] += 4.0 * s * weights[k];
+        }
+        slopes
+    }
+
+    pub(crate) fn is_flat(&self) -> bool {
+        *self == Self::FLAT
+    }
+
+    /// No smaller than the height is anywhere, apart from its sign.
+    pub(crate) fn largest(&self) -> f64 {
+        let largest = |all: &[f64; D]| all.iter().fold(0.0f64, |most, s| most.max(s.abs()));
+        largest(&self.at_corners) + largest(&self.at_edges)
+    }
+}
+
+/// Heights of all facets, and the largest of every body.
+pub(crate) struct FacetSags<const D: usize> {
+    pub(crate) sags: Vec<FacetSag<D>>,
+    pub(crate) heights: Vec<f64>,
+}
+
+/// How many edges a facet of D corners has.
+pub(crate) const fn edge_count(dimension: usize) -> usize {
+    if dimension == 2 { 1 } else { 3 }
+}
+
+impl<const D: usize> Surface<D> {
+    /// Of every facet of a face of second order the height of that face, and with a feature angle, in radians, of all others the height of
+    /// the surface whose normals are those of the facets around each vertex; `None` where all faces are flat. Where the surface is
+    /// smooth, facets that meet agree on it.
+    pub(crate) fn facet_sags(
+        &self,
+        is_surface: impl Fn(usize) -> bool,
+        feature_angle: Option<f64>,
+    ) -> Option<FacetSags<D>> {
+        let (mut sags, normals) = self.own_sags(&is_surface, feature_angle);
+        let heights = match &self.submesh {
+            Some(submesh) => submesh.heights.clone(),
+            None => self.largest_of_bodies(&sags),
+        };
+        if heights.iter().all(|height| *height == 0.0) {
+            return None;
+        }
+        self.agree(&mut sags, &normals, is_surface);
+        Some(FacetSags { sags, heights })
+    }
+
+    /// The largest height of every body, by itself.
+    pub(crate) fn largest_heights(&self) -> Vec<f64> {
+        self.largest_of_bodies(&self.own_sags(|facet| self.is_surface_facet(facet), None).0)
+    }
+
+    fn largest_of_bodies(&self, sags: &[FacetSag<D>]) -> Vec<f64> {
+        let largest = |range: &Range<usize>| sags[range.clone()].iter().fold(0.0, |most, sag| sag.largest().max(most));
+        self.ranges.iter().map(largest).collect()
+    }
+
+    /// The heights as every facet has them, and the normals of the facets.
+    fn own_sags(
+        &self,
+        is_surface: impl Fn(usize) -> bool,
+        feature_angle: Option<f64>,
+    ) -> (Vec<FacetSag<D>>, Vec<Vector<D>>) {
+        let points = self.points(self.reference());
+        let mut sags = vec![FacetSag::FLAT; self.facets.len()];
+        if self.curved().is_empty() && feature_angle.is_none() {
+            // A part of a mesh may have none of the curved cells of the whole.
+            return (sags, vec![Vector::zeros(); self.facets.len()]);
+        }
+        let normal = |facet: &[u32; D]| {
+            let area = area_vector(&facet.map(|vertex| points[vertex as usize]));
+            area.try_normalize(0.0).unwrap_or_else(Vector::zeros)
+        };
+        let normals: Vec<Vector<D>> = self.facets.iter().map(normal).collect();
+        self.add_second_order(&points, &normals, &is_surface, &mut sags);
+        if let Some(angle) = feature_angle {
+            Smoothed::new(self, (&points, &normals), &is_surface, angle).add_to(&mut sags);
+        }
+        (sags, normals)
+    }
+}

@@ -1,0 +1,60 @@
+//! How far the round surface that straight facets stand for lies beside them.
+
+use crate::geometry::primitives::facet::area_vector;
+use crate::geometry::{Surface, Vector};
+
+/// Facets that meet at a larger angle meet at an edge of the body: cosine of 45°. An octagon is none of a round body.
+pub(crate) const SMOOTH: f64 = std::f64::consts::FRAC_1_SQRT_2;
+
+impl<const D: usize> Surface<D> {
+    /// Largest distance of every facet, without deformation, from the surface whose normals at the vertices are those of the facets
+    /// around them; a face that is split about its middle has one distance. 0 for flat surfaces, for facets of which `is_surface` does
+    /// not hold, and beside edges of the body.
+    ///
+    /// An edge of length h between normals that differ by the angle h/R stands for an arc that rises h²/8R above it: a quarter of
+    /// h times the slope of the normal at an end. Of the two ends the smaller counts, so that a flat facet beside a round one has none.
+    pub(crate) fn sags(&self, is_surface: impl Fn(usize) -> bool) -> Vec<f64> {
+        let points = self.points(self.reference());
+        let mut areas = vec![Vector::<D>::zeros(); self.facets.len()];
+        let mut at_vertex: Vec<[u32; 2]> = Vec::with_capacity(D * self.facets.len());
+        for (number, facet) in self.facets.iter().enumerate().filter(|(number, _)| is_surface(*number)) {
+            areas[number] = area_vector(&facet.map(|vertex| points[vertex as usize]));
+            at_vertex.extend(facet.map(|vertex| [vertex, number as u32]));
+        }
+        at_vertex.sort_unstable();
+        let around = |vertex: u32| {
+            let start = at_vertex.partition_point(|[of, _]| *of < vertex);
+            at_vertex[start..].iter().take_while(move |[of, _]| *of == vertex).map(|[_, facet]| *facet as usize)
+        };
+        let normal_at = |vertex: u32, own: &Vector<D>| {
+            let smooth =
+                around(vertex).filter(|&facet| areas[facet].dot(own) > SMOOTH * areas[facet].norm() * own.norm());
+            let sum = smooth.fold(Vector::<D>::zeros(), |sum, facet| sum + areas[facet]);
+            sum.try_normalize(0.0).unwrap_or_else(Vector::zeros)
+        };
+        let mut sags = vec![0.0; self.facets.len()];
+        let mut of_middle = vec![0.0_f64; self.centroids.len()];
+        for (number, facet) in self.facets.iter().enumerate().filter(|(number, _)| is_surface(*number)) {
+            // A vertex in the middle of a face comes last, and its edges stand for nothing.
+            let middle = (facet[D - 1] as usize).checked_sub(self.nodes.len());
+            let corners = &facet[..if middle.is_some() { D - 1 } else { D }];
+            let rise = |k: usize| {
+                let [i, j] = [corners[k], corners[(k + 1) % corners.len()]];
+                let along = (points[j as usize] - points[i as usize]) * 0.25;
+                let [of_i, of_j] =
+                    [-along.dot(&normal_at(i, &areas[number])), along.dot(&normal_at(j, &areas[number]))];
+                if of_i * of_j > 0.0 { of_i.abs().min(of_j.abs()) } else { 0.0 }
+            };
+            sags[number] = (0..corners.len()).map(rise).fold(0.0, f64::max);
+            if let Some(middle) = middle {
+                of_middle[middle] = of_middle[middle].max(sags[number]);
+            }
+        }
+        for (sag, facet) in sags.iter_mut().zip(&self.facets) {
+            if let Some(middle) = (facet[D - 1] as usize).checked_sub(self.nodes.len()) {
+                *sag = of_middle[middle];
+            }
+        }
+        sags
+    }
+}
