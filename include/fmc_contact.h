@@ -1807,7 +1807,7 @@ typedef struct {
   // Part of the step, at most 1, in which no body passes through another: a factor for a step of Newton's method.
   double part;
   // Part of it at which the first gap closes, from the current slopes of the gaps: a linearisation holds up to there. Infinite
-  // if no gap closes.
+  // if no gap closes within `part`.
   double first_touch;
   // Zero.
   uint64_t reserved[4];
@@ -1871,8 +1871,8 @@ fmc_status fmc_context_stable_step(fmc_context *context, const fmc_coords *coord
 // the option `stiffness` 0. `masses` as for `fmc_context_stable_step`.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_LENGTH`, `FMC_ERROR_NOT_POSITIVE` for the limit, `FMC_ERROR_NOT_POSITIVE_MASS`,
-// `FMC_ERROR_UNSUPPORTED` where the host holds every surface, `FMC_ERROR_BUSY`; the earlier stiffness is then kept. Threads: one call at
-// a time on a context.
+// `FMC_ERROR_UNSUPPORTED` where the host holds every surface or the option `stiffness` is given, `FMC_ERROR_BUSY`; the earlier stiffness
+// is then kept. Threads: one call at a time on a context.
 fmc_status fmc_context_stiffness_from_masses(fmc_context *context,
                                              const fmc_coords *coords,
                                              const double *masses,

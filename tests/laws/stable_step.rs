@@ -120,4 +120,9 @@ fn costs_a_tenth(cells: [usize; 2]) {
     masses[0] = -1.0;
     let refused = contact.stiffness_from_masses(&scene.coords, &masses, limit);
     assert!(matches!(refused, Err(Error::NotPositiveMass { node: 0, .. })), "{refused:?}");
+    // A given one would count.
+    masses[0] = 1.0;
+    contact.set_options(exactly(EnergyLaw::depth(2.0))).expect("options");
+    let refused = contact.stiffness_from_masses(&scene.coords, &masses, limit);
+    assert!(matches!(refused, Err(Error::Unsupported { .. })), "{refused:?}");
 }

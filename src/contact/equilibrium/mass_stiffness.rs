@@ -12,8 +12,13 @@ impl<const D: usize> Contact<D> {
     ///
     /// # Errors
     /// [`Error::Length`], [`Error::NotPositive`] for the limit, [`Error::NotPositiveMass`], [`Error::Unsupported`] where the host holds every
-    /// surface. What was found before then stays.
+    /// surface, or where the options give a stiffness, which would count. What was found before then stays.
     pub fn stiffness_from_masses(&mut self, coords: &[[f64; D]], masses: &[f64], limit: f64) -> Result<(), Error> {
+        if self.options().law.stiffness() > 0.0 {
+            return Err(Error::Unsupported {
+                what: "a stiffness from masses beside the option stiffness, which counts: set it to 0",
+            });
+        }
         let layers = layers_of_masses(self, coords, masses, limit)?;
         changes::options::set_layer_stiffness(self, Some(layers))
     }

@@ -939,7 +939,7 @@ class Contact:
         NotPositiveError, NotPositiveMassError
             For a limit or a mass that is not positive.
         UnsupportedError
-            If every surface is held.
+            If every surface is held, or the option ``stiffness`` is given.
 
         Examples
         --------

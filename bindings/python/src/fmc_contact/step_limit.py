@@ -11,7 +11,8 @@ class StepLimit(NamedTuple):
     part : float
         Part of the step, at most 1, that no body passes another by.
     first_touch : float
-        Part of it at which the first gap closes, from the current slopes of the gaps; ``inf`` if no gap closes.
+        Part of it at which the first gap closes, from the current slopes of the gaps; ``inf`` if no gap closes within
+        ``part``.
 
     Examples
     --------

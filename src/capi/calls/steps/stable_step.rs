@@ -46,8 +46,8 @@ pub unsafe extern "C" fn fmc_context_stable_step(
 /// the option `stiffness` 0. `masses` as for `fmc_context_stable_step`.
 ///
 /// Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_LENGTH`, `FMC_ERROR_NOT_POSITIVE` for the limit, `FMC_ERROR_NOT_POSITIVE_MASS`,
-/// `FMC_ERROR_UNSUPPORTED` where the host holds every surface, `FMC_ERROR_BUSY`; the earlier stiffness is then kept. Threads: one call at
-/// a time on a context.
+/// `FMC_ERROR_UNSUPPORTED` where the host holds every surface or the option `stiffness` is given, `FMC_ERROR_BUSY`; the earlier stiffness
+/// is then kept. Threads: one call at a time on a context.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmc_context_stiffness_from_masses(
     context: *mut fmc_context,

@@ -18,7 +18,7 @@ pub struct fmc_step_limit {
     /// Part of the step, at most 1, in which no body passes through another: a factor for a step of Newton's method.
     pub part: f64,
     /// Part of it at which the first gap closes, from the current slopes of the gaps: a linearisation holds up to there. Infinite
-    /// if no gap closes.
+    /// if no gap closes within `part`.
     pub first_touch: f64,
     /// Zero.
     pub reserved: [u64; 4],

@@ -13,7 +13,8 @@ const ROOM: f64 = 0.5;
 pub struct StepLimit {
     /// Part of the step, at most 1, that no body passes another by.
     pub part: f64,
-    /// Part of it at which the first gap closes, as far as gaps change with the slopes of now; infinite where none does.
+    /// Part of it at which the first gap closes, as far as gaps change with the slopes of now; infinite where none does within
+    /// `part`.
     pub first_touch: f64,
 }
 
