@@ -1,7 +1,7 @@
 //! Slices of rings between planes of symmetry: in space they are measured as in the plane.
 
 use crate::depth;
-use crate::scene::Scene;
+use crate::scene::{Scene, distance, norm};
 use fmc_shapes::{Mesh, cuboid_hex8, cuboid_tet4, cuboid_wedge6, second_order};
 use std::f64::consts::FRAC_PI_2;
 
@@ -22,6 +22,30 @@ fn quarter([from, to]: [f64; 2], cells: [usize; 3], nodes: usize) -> Mesh<3> {
         (x[0], x[1]) = (radius * angle.sin(), radius * angle.cos());
     }
     mesh
+}
+
+/// Heights at a corner are those of all facets there, and none of their sums may hang on the order of the facets: what is left is the rounding of
+/// coordinates in depths of 1e-3 of the radius.
+#[test]
+fn nodes_of_curved_cells_in_another_order() {
+    let bodies = [quarter([0.6, 1.0025], [8, 1, 1], 20), quarter([1.0, 1.5], [10, 1, 1], 20)];
+    let reversed = bodies.clone().map(|mut mesh| {
+        let last = mesh.coords.len() as u32 - 1;
+        mesh.coords.reverse();
+        mesh.conn.iter_mut().for_each(|node| *node = last - *node);
+        mesh
+    });
+    let [first, second] = [bodies, reversed].map(|[inner, outer]| {
+        let scene = Scene::of(&[&inner, &outer]);
+        let found = scene.evaluate(depth(1.0));
+        let of_body = |body: usize| scene.nodes_of(body).map(|node| found.forces[node]).collect::<Vec<_>>();
+        ([of_body(0), of_body(1)], found.energy)
+    });
+    assert!((second.1 / first.1 - 1.0).abs() < 1e-9, "{} {}", first.1, second.1);
+    for (one, mut other) in first.0.into_iter().zip(second.0) {
+        other.reverse();
+        assert!(distance(&one, &other) < 1e-8 * norm(&one), "{}", distance(&one, &other) / norm(&one));
+    }
 }
 
 /// Rigid rings that overlap by δ everywhere, and whose facets lie up to 5 δ beside their arcs: pressed by k δ, with no point deeper than δ
