@@ -27,6 +27,7 @@ mod equilibrium;
 mod fibers;
 mod fields;
 mod figures;
+mod forces;
 mod frames;
 mod hertz;
 mod history;

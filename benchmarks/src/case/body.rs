@@ -28,6 +28,13 @@ pub struct Body {
     pub position: Option<Vec<f64>>,
 }
 
+impl Body {
+    /// Whether it moves at the start.
+    pub fn moves(&self) -> bool {
+        self.initial_velocity.iter().flatten().any(|v| *v != 0.0)
+    }
+}
+
 /// `material`
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]

@@ -1,8 +1,9 @@
 //! What a case must fulfil beyond the types of its values.
 
 use super::size::{MOST_LOAD_STEPS, MOST_NODES, MOST_STEPS};
-use super::{Case, Key, LawName, Load, Obstacle, Place, Support};
+use super::{Case, FigureKind, Key, LawName, Load, MeshSource, Obstacle, Place, Support};
 use fmc_contact::Shape;
+use fmc_solid::statics::LARGEST_TOLERANCE;
 
 mod contact;
 mod mesh;
@@ -195,6 +196,10 @@ impl Check<'_> {
         if let Some(steps) = &self.case.load_steps {
             let key = Key::parse("load_steps");
             self.positive(&key.then("tolerance"), steps.tolerance);
+            if steps.tolerance > LARGEST_TOLERANCE {
+                let message = format!("it must be at most {LARGEST_TOLERANCE}, not {}", steps.tolerance);
+                self.flaw(&key.then("tolerance"), message);
+            }
             self.maybe_positive(&key.then("penetration"), steps.penetration);
             if steps.penetration.is_some() && self.case.contact.has_friction() {
                 self.flaw(&key.then("penetration"), "multipliers know no friction".into());
@@ -249,19 +254,27 @@ impl Check<'_> {
 
     fn figures(&mut self) {
         let figures = &self.case.figures;
-        self.body_name(&Key::parse("figures.body"), &figures.body);
-        if figures.kind.is_static() != self.case.load_steps.is_some() {
+        figures.body.iter().for_each(|body| self.body_name(&Key::parse("figures.body"), body));
+        if figures.kind.is_static().is_some_and(|is_static| is_static != self.case.load_steps.is_some()) {
             let message = "these figures are taken from an equilibrium, with [load_steps], if they are none of \"wall\", \
-                 \"impact\" and \"stop\", and only then";
+                 \"impact\" and \"stop\", and only then; \"forces\" suits both";
             self.flaw(&Key::parse("figures.kind"), message.into());
         }
-        if !figures.kind.is_static()
-            && let Some(index) = self.case.body(&figures.body)
-        {
-            let still = |v: &Vec<f64>| v.iter().all(|&v| v == 0.0);
-            if self.case.bodies[index].initial_velocity.as_ref().is_none_or(still) {
-                self.flaw(&Key::parse("figures.body"), format!("'{}' must move at the start", figures.body));
-            }
+        let Some(body) = self.case.bodies.get(self.case.figured()) else { return };
+        if figures.kind.is_static() == Some(false) && !body.moves() {
+            self.flaw(&Key::parse("figures.body"), format!("'{}' must move at the start", body.name));
+        }
+        if figures.kind == FigureKind::Driven && self.case.driver().is_none() {
+            let message = format!("no support moves '{}' in the first stage; \"forces\" suits any case", body.name);
+            self.flaw(&Key::parse("figures.kind"), message);
+        }
+        if figures.kind == FigureKind::Patch && self.case.loads.iter().all(|load| load.pressure.is_none()) {
+            let message = "these figures compare with the pressure of a load, and no load is a pressure".to_owned();
+            self.flaw(&Key::parse("figures.kind"), message);
+        }
+        if figures.kind == FigureKind::Hertz && !matches!(body.mesh, MeshSource::GradedHalfDisc { .. }) {
+            let message = format!("these figures need a \"graded-half-disc\", and '{}' is none", body.name);
+            self.flaw(&Key::parse("figures.kind"), message);
         }
         if figures.copies == 0 {
             self.flaw(&Key::parse("figures.copies"), "it must be at least 1".into());

@@ -11,6 +11,7 @@ pub struct Case {
     /// Title, one line.
     pub title: String,
     /// Source of the problem: an article and section, for example.
+    #[serde(default)]
     pub source: String,
     /// D: 2 (plane strain) or 3.
     pub dimension: usize,
@@ -36,7 +37,8 @@ pub struct Case {
     /// Files in addition to the history.
     #[serde(default)]
     pub output: Output,
-    /// The figures that the run computes.
+    /// The figures that the run computes; contact forces and penetration if absent.
+    #[serde(default)]
     pub figures: Figures,
     /// Named sets of changes.
     #[serde(default)]
@@ -63,9 +65,11 @@ pub struct Output {
 #[serde(deny_unknown_fields)]
 pub struct Figures {
     /// The set of figures.
+    #[serde(default)]
     pub kind: FigureKind,
-    /// The body whose figures are computed: the one that moves at the start.
-    pub body: String,
+    /// The body whose figures are computed; if absent, the first that moves at the start, else the first.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub body: Option<String>,
     /// Number of copies of the model that symmetry joins to the whole. Forces are the sum over all copies.
     #[serde(default = "one")]
     pub copies: usize,
@@ -78,10 +82,19 @@ fn one() -> usize {
     1
 }
 
+impl Default for Figures {
+    fn default() -> Self {
+        Self { kind: FigureKind::default(), body: None, copies: one(), profile: Vec::new() }
+    }
+}
+
 /// Sets of figures.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum FigureKind {
+    /// Of any case: the largest contact force on the body, and the force at the end, in magnitude.
+    #[default]
+    Forces,
     /// A bar that falls on a rigid wall: pressure, contact time, exit velocity, energy.
     Wall,
     /// A body that hits another one: impulse, contact time, rebound, energy, balance.
@@ -119,14 +132,19 @@ pub struct Variant {
 }
 
 impl FigureKind {
-    /// Whether they are taken from an equilibrium, not from a motion.
-    pub fn is_static(self) -> bool {
-        !matches!(self, FigureKind::Wall | FigureKind::Impact | FigureKind::Stop)
+    /// Whether they are taken from an equilibrium, not from a motion; none if from either.
+    pub fn is_static(self) -> Option<bool> {
+        match self {
+            FigureKind::Forces => None,
+            FigureKind::Wall | FigureKind::Impact | FigureKind::Stop => Some(false),
+            _ => Some(true),
+        }
     }
 
     /// Keys of the figures, in the order of the report.
     pub fn keys(self) -> &'static [&'static str] {
         match self {
+            FigureKind::Forces => &["force_peak", "force_end", "penetration_max"],
             FigureKind::Wall => {
                 &["pressure_mean", "pressure_rms", "contact_start", "contact_end", "exit_velocity", "energy_error_max"]
             }
@@ -204,6 +222,23 @@ impl Case {
             Some((key, message)) => anyhow::bail!("{}: {message}", key.0.join(".")),
             None => Ok(()),
         }
+    }
+
+    /// Index of the body that the figures are about.
+    pub fn figured(&self) -> usize {
+        let named = self.figures.body.as_ref().and_then(|name| self.body(name));
+        named.or_else(|| self.bodies.iter().position(Body::moves)).unwrap_or(0)
+    }
+
+    /// The support that drives the figures' body: that which moves it farthest in the first stage, with the number of its component and the
+    /// displacement.
+    pub fn driver(&self) -> Option<(&Support, usize, f64)> {
+        let body = self.bodies.get(self.figured())?;
+        let moved = self.supports.iter().filter(|support| support.body == body.name).flat_map(|support| {
+            let values = support.values.iter().flatten().copied().enumerate();
+            values.map(move |(component, value)| (support, component, value))
+        });
+        moved.filter(|(.., value)| *value != 0.0).max_by(|p, q| p.2.abs().total_cmp(&q.2.abs()))
     }
 
     /// Index of a body by its name.

@@ -22,13 +22,7 @@ impl Drive {
     /// # Errors
     /// If none moves.
     pub(super) fn of(case: &Case) -> Result<Self> {
-        let moved = case.supports.iter().filter(|support| support.body == case.figures.body).flat_map(|support| {
-            let values = support.values.iter().flatten().copied().enumerate();
-            values.map(move |(component, value)| (support, component, value))
-        });
-        let farthest = moved.filter(|(.., value)| *value != 0.0).max_by(|p, q| p.2.abs().total_cmp(&q.2.abs()));
-        let (support, component, value) =
-            farthest.with_context(|| format!("no support moves '{}' in the first stage", case.figures.body))?;
+        let (support, component, value) = case.driver().context("no support moves the body in the first stage")?;
         let sign = value.signum();
         let stages = case.load_steps.as_ref().map_or(0, |steps| steps.then.len());
         let later = (0..stages).map(|stage| support.then.get(stage).map_or(value, |values| values[component]));

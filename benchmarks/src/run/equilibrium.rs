@@ -5,7 +5,7 @@ use super::hertz::HertzLine;
 use super::runner::{Ending, RunOptions};
 use super::summary::Summary;
 use super::way::{LoadStep, Way};
-use super::{Figure, Profile, fibers, fields, indentation, patch, sliding};
+use super::{Figure, Profile, fibers, fields, forces, indentation, patch, sliding};
 use crate::case::{Case, Document, FigureKind};
 use crate::chart::{self, Axis, Mark, Panel, Series};
 use anyhow::{Context, Result};
@@ -46,19 +46,29 @@ pub fn solve<const D: usize>(
 
 impl<const D: usize> Solved<D> {
     fn new(case: &Case, equilibrium: Equilibrium<D>, steps: Vec<LoadStep>) -> Result<Self> {
-        let penetration = equilibrium.true_contact()?.penetration;
-        let (figures, profile) = match case.figures.kind {
-            FigureKind::Hertz => {
-                let hertz = HertzLine::new(case, &equilibrium)?;
-                (hertz.figures(penetration), Some(hertz.drawn()))
-            }
-            FigureKind::Driven => (Drive::of(case)?.figures(case, &equilibrium, &steps), None),
-            FigureKind::Sliding => (sliding::figures(case, &equilibrium, &steps), None),
-            FigureKind::Patch => (patch::figures(case, &equilibrium, penetration)?, None),
-            _ => indentation::figures(case, &equilibrium, &steps, penetration)?,
-        };
+        let (figures, profile) = figures_of(case, &equilibrium, &steps)?;
         Ok(Self { equilibrium, steps, figures, profile })
     }
+}
+
+/// The figures of a case, and pressures to draw.
+fn figures_of<const D: usize>(
+    case: &Case,
+    equilibrium: &Equilibrium<D>,
+    steps: &[LoadStep],
+) -> Result<(Vec<Figure>, Option<Profile>)> {
+    let penetration = equilibrium.true_contact()?.penetration;
+    Ok(match case.figures.kind {
+        FigureKind::Forces => (forces::figures(case, steps), None),
+        FigureKind::Hertz => {
+            let hertz = HertzLine::new(case, equilibrium)?;
+            (hertz.figures(penetration), Some(hertz.drawn()))
+        }
+        FigureKind::Driven => (Drive::of(case)?.figures(case, equilibrium, steps), None),
+        FigureKind::Sliding => (sliding::figures(case, equilibrium, steps), None),
+        FigureKind::Patch => (patch::figures(case, equilibrium, penetration)?, None),
+        _ => indentation::figures(case, equilibrium, steps, penetration)?,
+    })
 }
 
 /// Solves a case of statics and writes its files. `watch` is called after every iteration and may stop the solver.
@@ -109,13 +119,19 @@ fn run_in<const D: usize>(
     series.finish(out)?;
     // What was found last is worth looking at, also where the way ended too early.
     fields::grid_at_rest(&way.equilibrium).write(&out.join("equilibrium.vtu"))?;
-    match way.end {
-        Err(StaticsError::Interrupted) => {
-            return Ok(Ending::Interrupted { step: log.len() as u64, time: way.equilibrium.load() });
-        }
-        end => end?,
+    if let Err(StaticsError::Interrupted) = way.end {
+        return Ok(Ending::Interrupted { step: log.len() as u64, time: way.equilibrium.load() });
     }
-    let Solved { equilibrium, steps, figures, profile } = Solved::new(case, way.equilibrium, way.steps)?;
+    let Way { equilibrium, steps, end } = way;
+    end?;
+    // An equilibrium that lacks what its figures need is one: its files and its other numbers stay.
+    let (figures, profile, lacking) = match figures_of(case, &equilibrium, &steps) {
+        Ok((figures, profile)) => (figures, profile, None),
+        Err(error) => {
+            let none = |&name: &&'static str| Figure { name, value: None, unit: "" };
+            (case.figures.kind.keys().iter().map(none).collect(), None, Some(error))
+        }
+    };
     let traces = if case.output.fibers > 0 { fibers::traces(case, &equilibrium)? } else { Vec::new() };
     if !traces.is_empty() {
         fiber_grid(&traces, case.output.fibers).write(&out.join("fibers.vtu"))?;
@@ -129,7 +145,7 @@ fn run_in<const D: usize>(
             FigureKind::Driven => Drive::of(case)?.panel::<D>(&steps),
             _ => reactions::<D>(&steps),
         };
-        let title = format!("{}: contact force on {}", case.title, case.figures.body);
+        let title = format!("{}: contact force on {}", case.title, case.bodies[case.figured()].name);
         chart::draw(out, "reactions", &title, &[panel])?;
     }
     let contact = &equilibrium.balance().contact;
@@ -143,6 +159,7 @@ fn run_in<const D: usize>(
     summary.crossings = contact.crossing_count;
     summary.residuals = log.iter().map(|iteration| iteration.residual).collect();
     summary.warnings = contact.warnings.iter().map(ToString::to_string).collect();
+    summary.warnings.extend(lacking.map(|error| format!("there are no figures: {error:#}")));
     summary.warnings.extend(equilibrium.unturned().map(|residual| {
         let stalled = equilibrium.stalled_turn();
         let stalled = stalled.map(|at| format!(", and turning them came to a halt at {at:.1e}")).unwrap_or_default();

@@ -22,7 +22,7 @@ pub struct Figure {
 pub struct Motion<const D: usize> {
     /// Index of the body.
     pub body: usize,
-    /// Its velocity at the start.
+    /// Its velocity at the start; of a body at rest 1 down, the direction in which most fall.
     pub velocity: [f64; D],
     /// Area of its bounding box across the direction in which it moves fastest (2D: width).
     pub cross_section: f64,
@@ -37,11 +37,12 @@ impl<const D: usize> Motion<D> {
     /// Motion of the body that the case names.
     ///
     /// # Errors
-    /// If the case names none, or it does not move.
+    /// If its velocity has not as many numbers as the case has dimensions.
     pub fn new(case: &Case, parts: &[Part<D>]) -> Result<Self> {
-        let body = case.body(&case.figures.body).context("the figures are about no body")?;
-        let velocity = case.bodies[body].initial_velocity.as_deref();
-        let velocity: [f64; D] = velocity.and_then(|v| v.try_into().ok()).context("the body does not move")?;
+        let body = case.figured();
+        let velocity = case.bodies[body].initial_velocity.as_deref().filter(|_| case.bodies[body].moves());
+        let down = std::array::from_fn(|axis| if axis + 1 == D { -1.0 } else { 0.0 });
+        let velocity: [f64; D] = velocity.map_or(Ok(down), |v| v.try_into()).context("its velocity has D numbers")?;
         let fastest = (0..D).max_by(|a, b| velocity[*a].abs().total_cmp(&velocity[*b].abs())).unwrap_or(0);
         let mut cross_section = 1.0;
         for axis in (0..D).filter(|axis| *axis != fastest) {
@@ -63,7 +64,8 @@ impl<const D: usize> Motion<D> {
     /// | `impulse` | ∫ force dt against the initial velocity; the trapezoidal rule is what the leapfrog scheme sums |
     /// | `rebound`, `exit_velocity` | velocity of its centre of mass at the end, against the initial one |
     /// | `sideways` | magnitude of the rest of that velocity |
-    /// | `force_peak` | largest force against the initial velocity |
+    /// | `force_peak` | largest force against the initial velocity; with `forces` its largest magnitude |
+    /// | `force_end`, `penetration_max` | magnitude of the force at the end, largest penetration |
     /// | `balance_max` | largest magnitude of ΣF over bodies and obstacles, by the largest force on the body |
     /// | `energy_drift`, `energy_error_max` | largest change of the total energy from the start, by the initial energy |
     /// | `way` | ∫ v dt of its centre of mass along the initial velocity |
@@ -76,7 +78,22 @@ impl<const D: usize> Motion<D> {
             FigureKind::Wall => 0.5 * self.stopping_pressure * self.cross_section,
             _ => 0.0,
         };
-        kind.keys().iter().map(|&name| self.figure(name, least, samples)).collect()
+        let of_any = kind == FigureKind::Forces;
+        let figure =
+            |&name: &&'static str| if of_any { self.size(name, samples) } else { self.figure(name, least, samples) };
+        kind.keys().iter().map(figure).collect()
+    }
+
+    /// What any motion has.
+    fn size(&self, name: &'static str, samples: &[Sample<D>]) -> Figure {
+        let size = |sample: &Sample<D>| norm(&sample.bodies[self.body]);
+        let unit = if D == 2 { "N/m" } else { "N" };
+        let (value, unit) = match name {
+            "force_peak" => (samples.iter().map(size).reduce(f64::max), unit),
+            "force_end" => (samples.last().map(size), unit),
+            _ => (samples.iter().map(|sample| sample.penetration).reduce(f64::max), "m"),
+        };
+        Figure { name, value, unit }
     }
 
     /// `least` is the force above which there is contact.
@@ -218,6 +235,8 @@ mod tests {
             (FigureKind::Impact, "energy_drift", 0.03),
             (FigureKind::Impact, "force_peak", 30.0),
             (FigureKind::Impact, "balance_max", 0.01),
+            (FigureKind::Forces, "force_peak", 30.0),
+            (FigureKind::Forces, "force_end", 0.0),
             (FigureKind::Wall, "pressure_mean", 60.0),
             (FigureKind::Wall, "pressure_rms", 0.2),
             (FigureKind::Wall, "exit_velocity", 10.0),

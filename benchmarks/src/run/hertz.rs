@@ -2,7 +2,7 @@
 
 use super::{Figure, Profile, profile};
 use crate::case::{Case, MeshSource};
-use anyhow::{Context, Result, bail, ensure};
+use anyhow::{Result, bail, ensure};
 use fmc_solid::statics::{Equilibrium, nodal_pressures};
 use std::collections::BTreeMap;
 use std::f64::consts::PI;
@@ -37,7 +37,7 @@ impl HertzLine {
     /// # Errors
     /// If it is something else, or touches nothing.
     pub fn new<const D: usize>(case: &Case, at: &Equilibrium<D>) -> Result<Self> {
-        let part = case.body(&case.figures.body).context("the figures are about no body")?;
+        let part = case.figured();
         let body = &case.bodies[part];
         let MeshSource::GradedHalfDisc { radius, .. } = body.mesh else { bail!("'{}' is no half-disc", body.name) };
         let modulus = body.material.young / (1.0 - body.material.poisson.powi(2));

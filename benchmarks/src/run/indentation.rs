@@ -4,7 +4,7 @@ use super::Figure;
 use super::profile::{Profile, Surface, between, drawn, place};
 use super::way::LoadStep;
 use crate::case::{Case, FigureKind, Material, MeshSource};
-use anyhow::{Context, Result, ensure};
+use anyhow::{Result, ensure};
 use fmc_solid::statics::Equilibrium;
 use std::f64::consts::PI;
 
@@ -15,7 +15,7 @@ pub(super) fn figures<const D: usize>(
     steps: &[LoadStep],
     penetration: f64,
 ) -> Result<(Vec<Figure>, Option<Profile>)> {
-    let part = case.body(&case.figures.body).context("the figures are about no body")?;
+    let part = case.figured();
     let view = View {
         case,
         at,
@@ -24,7 +24,7 @@ pub(super) fn figures<const D: usize>(
         force: case.figures.copies as f64 * at.balance().contact.bodies[part].force[D - 1].abs(),
         modulus: modulus(&case.bodies[part].material),
     };
-    ensure!(view.force > 0.0, "'{}' touches nothing", case.figures.body);
+    ensure!(view.force > 0.0, "'{}' touches nothing", case.bodies[part].name);
     let (values, profile) = match case.figures.kind {
         FigureKind::Balls => view.balls(),
         FigureKind::Wedge => view.wedge(),

@@ -177,6 +177,15 @@ impl<const D: usize> Run<D> {
             "steps of {:.3e} s reach time.end after {step_count}; at most {MOST_STEPS:.0e} are made",
             simulation.step_size()
         );
+        let costs = Costs { step_count: Some(costs.step_count.unwrap_or(step_count)), ..costs };
+        if let Some(count) = costs.step_count.filter(|count| *count != step_count) {
+            let end = count as f64 * simulation.step_size();
+            bail!(
+                "the run in {} goes to time.end = {end:.6e} s, and its fields are spaced by that: resume it with this end, or \
+                 run anew without --resume to another",
+                out.display()
+            );
+        }
         let fastest = (0..D).max_by(|a, b| motion.velocity[*a].abs().total_cmp(&motion.velocity[*b].abs()));
         let frames = Frames::new(case.output.frames, step_count, simulation.step_size());
         let direction = fastest.unwrap_or(0);

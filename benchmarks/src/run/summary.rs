@@ -104,6 +104,9 @@ pub(super) struct Costs {
     pub(super) seconds: f64,
     pub(super) contact_seconds: f64,
     pub(super) warnings: Vec<String>,
+    /// Steps from the start to the end of the run; absent in files of versions that did not write it.
+    #[serde(default, alias = "iterations", skip_serializing_if = "Option::is_none")]
+    pub(super) step_count: Option<u64>,
 }
 
 fn is_zero(x: &f64) -> bool {

@@ -58,7 +58,7 @@ impl<const D: usize> Way<D> {
         let penetration = plan.penetration.unwrap_or(0.0);
         equilibrium.settings = NewtonSettings { tolerance, most_iterations, penetration, ..Default::default() };
         let mut steps = Vec::new();
-        let body = case.body(&case.figures.body).unwrap_or(0);
+        let body = case.figured();
         let mut end = Ok(());
         for (stage, count) in std::iter::once(plan.count).chain(plan.then.iter().copied()).enumerate() {
             if stage > 0 {

@@ -55,7 +55,7 @@ pub use error::StaticsError;
 pub use fixed_point::{FixedPoint, FixedPointEnd};
 pub use iteration::{Iteration, Tangent};
 pub use linearised::Linearised;
-pub use newton_settings::{FrictionPressure, NewtonSettings};
+pub use newton_settings::{FrictionPressure, LARGEST_TOLERANCE, NewtonSettings};
 pub use path::Path;
 pub use pressure::{NodalPressure, nodal_pressures, nodal_tractions};
 pub use problem::Problem;

@@ -1,5 +1,8 @@
 //! How an equilibrium is sought.
 
+/// Largest residual by the forces that a program should take as a tolerance: Abaqus takes half of it where nothing else is wanted.
+pub const LARGEST_TOLERANCE: f64 = 0.01;
+
 /// How an equilibrium is sought: the rest is up to the library's search.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NewtonSettings {

@@ -7,7 +7,7 @@ use anyhow::{Context, Result, anyhow};
 use clap::value_parser;
 use fmc_deck::{Analysis, Deck, Fault, SolveOptions, Solved, StepResult, frd_start, frd_step, step_table, vtu};
 use fmc_mesh_io::write_whole;
-use fmc_solid::statics::{Equilibrium, Iteration};
+use fmc_solid::statics::{Equilibrium, Iteration, LARGEST_TOLERANCE};
 use std::io::Write;
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
@@ -36,8 +36,8 @@ pub(crate) struct SolveArgs {
     #[arg(long, value_name = "T", default_value_t = 1, value_parser = value_parser!(u16).range(1..))]
     threads: u16,
 
-    /// Residual by the forces at which a state counts as balanced
-    #[arg(long, value_name = "R", default_value_t = 1e-9, value_parser = crate::estimator_args::positive)]
+    /// Residual by the forces at which a state counts as balanced, at most 0.01
+    #[arg(long, value_name = "R", default_value_t = 1e-9, value_parser = tolerance)]
     tolerance: f64,
 
     /// Largest mean penetration of a node, a length [default: as small as the forces need it]
@@ -47,6 +47,13 @@ pub(crate) struct SolveArgs {
     /// Print nothing but errors
     #[arg(long)]
     quiet: bool,
+}
+
+fn tolerance(text: &str) -> Result<f64, String> {
+    match crate::estimator_args::positive(text)? {
+        value if value <= LARGEST_TOLERANCE => Ok(value),
+        _ => Err(format!("it must be at most {LARGEST_TOLERANCE}: larger forces out of balance are no equilibrium")),
+    }
 }
 
 /// Solves the file.

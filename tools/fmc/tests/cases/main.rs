@@ -4,5 +4,6 @@
 mod folder;
 
 mod command;
+mod own;
 
 use folder::Folder;
