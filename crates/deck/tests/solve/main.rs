@@ -17,6 +17,7 @@ mod rigid;
 mod rings;
 mod rubber;
 mod scene;
+mod self_contact;
 mod slopes;
 mod steps;
 mod tied_surfaces;
