@@ -2,7 +2,7 @@
 //!
 //! `deck` (all of it) · `scope` (which keyword stands where) · `words` (parameters that a keyword may have) · `names` (nodes, elements and
 //! their sets) · `elements` (types that are solved, and their faces) · `material`, `section` · `amplitude` · `surface` ·
-//! `interaction` (pairs, friction, ties) · `general` (contact of all with all) · `equation` (linear constraints) · `rigid` (nodes of a reference node) · `step` (supports and loads) · `output` (keywords that change nothing) · `note` (what is taken in another sense)
+//! `interaction` (pairs, friction, ties) · `general` (contact of all with all) · `equation` (linear constraints) · `rigid` (nodes of a reference node) · `step` (supports and loads) · `transform` (local axes) · `output` (keywords that change nothing) · `note` (what is taken in another sense)
 
 mod amplitude;
 mod deck;
@@ -19,6 +19,7 @@ mod scope;
 mod section;
 mod step;
 mod surface;
+mod transform;
 mod words;
 
 pub(crate) use amplitude::Amplitude;
@@ -29,6 +30,9 @@ pub(crate) use interaction::{PairRow, TieRow};
 pub(crate) use names::Kind;
 pub use note::Note;
 pub(crate) use rigid::{Members, RigidKind, RigidRow};
+#[cfg(test)]
+pub(crate) use scope::Scope;
 pub(crate) use section::SectionRow;
 pub(crate) use step::{Boundary, Load, LoadKind, Step};
 pub(crate) use surface::SurfaceRow;
+pub(crate) use transform::TransformRow;

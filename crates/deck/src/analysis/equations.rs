@@ -20,6 +20,23 @@ const MISSED: f64 = 1e-6;
 pub(super) struct Equation {
     line: usize,
     terms: Vec<(Freedom, f64)>,
+    /// Whether any of its terms may go: then the largest does.
+    is_of_axes: bool,
+}
+
+/// The equations of the components of nodes along axes of their own; `first` is the number of nodes of the model.
+pub(super) fn of_axes<const D: usize>(references: &[Reference<D>], first: usize) -> Vec<Equation> {
+    let mut found = Vec::new();
+    for (number, reference) in references.iter().enumerate() {
+        let Way::Local(axes) = &reference.way else { continue };
+        for (i, axis) in axes.iter().enumerate() {
+            let of_node = axis.iter().enumerate().map(|(k, factor)| ((reference.nodes[0], k), *factor));
+            let mut terms: Vec<(Freedom, f64)> = of_node.filter(|(_, factor)| *factor != 0.0).collect();
+            terms.push(((first + number, i), -1.0));
+            found.push(Equation { line: reference.line, terms, is_of_axes: true });
+        }
+    }
+    found
 }
 
 /// Degrees of freedom that follow, by what they follow: free ones, and such that are held.
@@ -86,7 +103,7 @@ fn of_row<const D: usize>(
         return Err(Fault::new(term.line, message));
     }
     for k in 0..count {
-        let mut equation = Equation { line: row.line, terms: Vec::new() };
+        let mut equation = Equation { line: row.line, terms: Vec::new(), is_of_axes: false };
         for (term, set) in row.terms.iter().zip(&sets) {
             let node = set[if set.len() == 1 { 0 } else { k }];
             let freedom = freedom(deck, bodies, references, (node, term))?;
@@ -115,7 +132,7 @@ fn freedom<const D: usize>(
     }
     let number = references.iter().position(|reference| reference.node == node || reference.rotating == Some(node));
     match (number.map(|number| (number, &references[number])), bodies.places.node_of[node]) {
-        (Some((number, Reference { way: Way::Loose(_), .. })), _) => {
+        (Some((number, Reference { way: Way::Loose(_) | Way::Local(_), .. })), _) => {
             Ok((bodies.model.node_count() + number, term.axis))
         }
         (Some((_, reference)), _) => {
@@ -166,7 +183,12 @@ pub(super) fn eliminated(equations: &[Equation], known: &Known) -> Result<Elimin
         row.retain(|(_, [sum, size])| sum.abs() > ROUNDED * size);
         let is_free = |(freedom, _): &&(Freedom, [f64; 2])| (known.held)(*freedom).is_none();
         let loose = row.iter().filter(|(freedom, _)| freedom.0 >= known.first).find(is_free);
-        let Some(&(pivot, [factor, _])) = loose.or_else(|| row.iter().find(is_free)) else {
+        let size = |(_, [sum, _]): &&(Freedom, [f64; 2])| sum.abs();
+        let of_model = || match equation.is_of_axes {
+            true => row.iter().filter(is_free).max_by(|p, q| size(p).total_cmp(&size(q))),
+            false => row.iter().find(is_free),
+        };
+        let Some(&(pivot, [factor, _])) = loose.or_else(of_model) else {
             check_held(equation, &row, known)?;
             continue;
         };

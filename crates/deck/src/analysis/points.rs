@@ -71,7 +71,7 @@ pub(super) fn freedom<const D: usize>(
             let label = deck.mesh.node_tags[bodies.places.nodes[node]];
             let leads = |reference: &&Reference<D>| match reference.way {
                 Way::Follows(axes) => axis < 3 && axes[axis] && reference.nodes.binary_search(&node).is_ok(),
-                Way::Shares(_) | Way::Loose(_) => false,
+                Way::Shares(_) | Way::Loose(_) | Way::Local(_) => false,
             };
             let leader = references.iter().find(leads).filter(|_| asked.is_motion);
             return match (axis, leader) {
@@ -104,6 +104,18 @@ pub(super) fn freedom<const D: usize>(
         _ if D == 2 && !is_of_plane && is_at_rest => Ok(None),
         _ if D == 2 && !is_of_plane => {
             refused(format!("there is no degree of freedom {number} in 2D, only 1, 2 and 6"))
+        }
+        Way::Local(_) if axis >= 3 => match is_at_rest {
+            true => Ok(None),
+            false => refused(format!(
+                "degree of freedom {number} is not known, only 1, 2 and 3: node {label} belongs to a solid and does not turn"
+            )),
+        },
+        Way::Local(axes) => {
+            // Along an axis of the space that axis itself is held: planes of symmetry are found by these.
+            let along = |k: &usize| axes[axis][*k] == 1.0 || is_at_rest && axes[axis][*k] == -1.0;
+            let place = (0..D).find(along).map(|k| (references[reference].nodes[0], k));
+            Ok(Some(place.unwrap_or((count + reference, axis))))
         }
         Way::Loose(_) if axis >= 3 && asked.is_named => Ok(None),
         Way::Loose(axes) if axis >= 3 || !axes[axis] => match is_at_rest && axis < 3 {

@@ -28,6 +28,7 @@ pub(crate) struct Reference<const D: usize> {
 }
 
 /// What goes with a reference node.
+#[derive(PartialEq)]
 pub(crate) enum Way<const D: usize> {
     /// Motion, along these axes.
     Follows([bool; 3]),
@@ -35,12 +36,14 @@ pub(crate) enum Way<const D: usize> {
     Shares([Option<Vec<[f64; D]>>; 6]),
     /// No nodes: it belongs to no element, and equations name it along these axes.
     Loose([bool; 3]),
+    /// None: its displacements are the components of its only node along these axes.
+    Local([[f64; D]; D]),
 }
 
 impl<const D: usize> Reference<D> {
     /// Whether it has a motion, and does not only load nodes.
     pub(crate) fn has_motion(&self) -> bool {
-        !matches!(self.way, Way::Shares(_))
+        !matches!(self.way, Way::Shares(_) | Way::Local(_))
     }
 
     /// A node of no element that an equation names along an axis.
@@ -57,6 +60,12 @@ impl<const D: usize> Reference<D> {
             arms: Vec::new(),
             way: Way::Loose(std::array::from_fn(|k| k == axis)),
         }
+    }
+
+    /// The components of a node, of the file and of the model, along axes of its own.
+    pub(super) fn local((deck, line): (&Deck, usize), (node, own): (usize, usize), axes: [[f64; D]; D]) -> Self {
+        let loose = Self::loose(deck, node, line, 0);
+        Self { keyword: "*TRANSFORM", nodes: vec![own], way: Way::Local(axes), ..loose }
     }
 
     /// How messages call it.

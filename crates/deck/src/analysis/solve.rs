@@ -2,6 +2,7 @@
 
 use super::pairs::{Pairs, adjustment, check_surfaces, pairs, stiffness};
 use super::points::{Point, points};
+use super::references::Way;
 use super::result::StepResult;
 use super::state::{Driven, State};
 use super::symmetry::planes;
@@ -93,10 +94,18 @@ impl<'a, const D: usize> Analysis<'a, D> {
         let adjust = adjustment(deck, bodies)?;
         let left_out = state.left_out;
         let state = State::new(deck, bodies)?;
-        let sets = deck
-            .reactions
-            .iter()
-            .map(|(set, line)| Ok((set.clone(), points(deck, bodies, &state.references, (set, *line))?)));
+        let sets = deck.reactions.iter().map(|(set, line)| {
+            let all = points(deck, bodies, &state.references, (set, *line))?;
+            // Reactions are along the axes of the space.
+            let of_model = |point: Point| match point {
+                Point::Reference(number) => match state.references[number].way {
+                    Way::Local(_) => Point::Node(state.references[number].nodes[0]),
+                    _ => point,
+                },
+                _ => point,
+            };
+            Ok((set.clone(), all.into_iter().map(of_model).collect()))
+        });
         let sets = sets.collect::<Result<_, Fault>>()?;
         let apart = state.references.iter().filter(|reference| reference.own.is_none() && reference.has_motion());
         let order = [places.nodes.clone(), places.cells.clone(), apart.map(|reference| reference.node).collect()];

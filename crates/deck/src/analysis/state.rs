@@ -1,9 +1,12 @@
 //! What is held and loaded, step after step.
 
+mod borne;
+
 use super::Bodies;
 use super::equations::{self, Eliminated, Equation, Known};
-use super::follow::{self, Borne, Moved, ReferenceResult, Stage, Values};
+use super::follow::{self, Stage, Values};
 use super::levers::Lever;
+use super::local_axes;
 use super::points::{Asked, Freedom, Point, freedom, points};
 use super::references::{Reference, Way, references};
 use super::spread::{Faces, faces};
@@ -13,7 +16,7 @@ use super::timed::{Timed, When};
 use crate::Fault;
 use crate::read::{Amplitude, Boundary, Deck, Load, LoadKind, Note, Step};
 use fmc_solid::fem::Constraints;
-use fmc_solid::statics::{Equilibrium, Follower, Rigid};
+use fmc_solid::statics::{Follower, Rigid};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// What holds and drives the bodies.
@@ -50,11 +53,14 @@ impl<const D: usize> State<D> {
     pub(super) fn new(deck: &Deck, bodies: Bodies<D>) -> Result<Self, Fault> {
         let faces = faces(bodies);
         let mut references = references(deck, bodies, &faces)?;
+        local_axes::add_local(deck, bodies, &mut references)?;
         equations::add_loose(deck, bodies, &mut references)?;
+        let of_axes = equations::of_axes(&references, bodies.model.node_count());
+        let equations = [equations::equations(deck, bodies, &references)?, of_axes].into_iter().flatten().collect();
         let mut state = Self {
             faces,
             turned: vec![[0.0; 3]; references.len()],
-            equations: equations::equations(deck, bodies, &references)?,
+            equations,
             eliminated: Eliminated::new(),
             levers: BTreeMap::new(),
             references,
@@ -146,7 +152,7 @@ impl<const D: usize> State<D> {
             let number = place.checked_sub(first);
             match number.map(|number| &self.references[number]) {
                 None => forces[place][axis] += value,
-                Some(Reference { way: Way::Loose(_), .. }) => {
+                Some(Reference { way: Way::Loose(_) | Way::Local(_), .. }) => {
                     let followed = self.eliminated.get(&(place, axis)).into_iter().flatten();
                     let of_model = followed.filter(|((place, _), _)| *place < first);
                     of_model.for_each(|(&(node, axis), weight)| forces[node][axis] += weight * value);
@@ -216,76 +222,6 @@ impl<const D: usize> State<D> {
         let at_rest = self.supports.range(..(first, 0)).filter(|(_, (value, _))| value.is_zero());
         let following = follow::at_rest(&self.references, first, &self.supports);
         at_rest.map(|(place, _)| *place).chain(following).collect()
-    }
-
-    /// What nodes and reference nodes bear at the end of the step.
-    pub(super) fn borne(&self, at: &Equilibrium<D>, is_finite: bool) -> Borne {
-        let first = at.model().node_count();
-        let one = |(number, reference): (usize, &Reference<D>)| {
-            let value = |axis: usize| {
-                self.forces.get(&(first + number, axis)).map_or(0.0, |(f, _)| f.at(self.end) / self.thickness)
-            };
-            let (lever, rotation) = (self.levers.get(&number), self.turned[number]);
-            let applied = std::array::from_fn(value);
-            let moved = Moved { lever, rotation, is_finite, applied };
-            follow::result((number, reference), at, &moved).or_else(|| self.of_loose((number, reference), at, applied))
-        };
-        let results = self.references.iter().enumerate().filter_map(one).collect();
-        let mut borne = follow::borne(&self.references, results, at, self.load_sum(first));
-        // What follows hands on what it bears; what is held bears it.
-        for (&(place, axis), followed) in self.eliminated.range(..(first, 0)) {
-            let lacking = at.balance().residual[place][axis];
-            for (&(node, axis), weight) in followed.range(..(first, 0)) {
-                if at.problem().supports.contains(node, axis) {
-                    borne.reactions[node][axis] += weight * lacking;
-                }
-            }
-        }
-        borne
-    }
-
-    /// Sum of all forces at the end of the step: those on reference nodes as they are applied, since a moment that turns a node about a
-    /// held place has forces on nodes that its support bears.
-    fn load_sum(&self, node_count: usize) -> [f64; 3] {
-        let mut forces = vec![[0.0; D]; node_count];
-        self.spread.add_forces(self.end, &mut forces);
-        let mut sum = [0.0; 3];
-        forces.iter().for_each(|f| (0..D).for_each(|axis| sum[axis] += f[axis]));
-        for (&(_, axis), (value, _)) in self.forces.iter().filter(|((_, axis), _)| *axis < D) {
-            sum[axis] += value.at(self.end) / self.thickness;
-        }
-        sum
-    }
-
-    /// What holds a node of no element, and how it has moved, by the equations.
-    fn of_loose(
-        &self,
-        (number, reference): (usize, &Reference<D>),
-        at: &Equilibrium<D>,
-        applied: [f64; 6],
-    ) -> Option<ReferenceResult> {
-        let Way::Loose(axes) = reference.way else { return None };
-        let first = at.model().node_count();
-        let held = |freedom: &Freedom| self.supports.get(freedom).map(|(value, _)| value.at(self.end));
-        let (mut force, mut displacement) = ([0.0; 3], [0.0; 3]);
-        for axis in (0..D).filter(|&axis| axes[axis]) {
-            let own = (first + number, axis);
-            if let Some(value) = held(&own) {
-                let followers = self.eliminated.range(..(first, 0));
-                let borne = followers.map(|(&(node, k), followed)| {
-                    followed.get(&own).map_or(0.0, |weight| weight * at.balance().residual[node][k])
-                });
-                (displacement[axis], force[axis]) = (value, borne.sum::<f64>() - applied[axis]);
-            } else if let Some(followed) = self.eliminated.get(&own) {
-                let value = |freedom: &Freedom| match freedom.0 < first {
-                    true => at.displacement()[freedom.0][freedom.1],
-                    false => held(freedom).unwrap_or(0.0),
-                };
-                displacement[axis] = followed.iter().map(|(freedom, weight)| weight * value(freedom)).sum();
-            }
-        }
-        let Reference { label, own, .. } = *reference;
-        Some(ReferenceResult { label, number, own, force, moment: [0.0; 3], displacement, rotation: [0.0; 3] })
     }
 
     /// Time since the first step began.

@@ -8,12 +8,13 @@ use super::interaction::{Interaction, PairRow, TieRow};
 use super::material::MaterialRow;
 use super::names::{Kind, Names};
 use super::note::Note;
-use super::output::{sampled, unused};
+use super::output::{instead, sampled, unused};
 use super::rigid::{RigidKind, RigidRow};
 use super::scope::Scope;
 use super::section::SectionRow;
 use super::step::Step;
 use super::surface::Surfaces;
+use super::transform::TransformRow;
 use super::words::only;
 use crate::Fault;
 use fmc_mesh_io::inp::{Expanded, Keyword, Lines, fields, label};
@@ -37,6 +38,7 @@ pub struct Deck {
     pub(crate) ties: Vec<TieRow>,
     pub(crate) rigid: Vec<RigidRow>,
     pub(crate) equations: Vec<EquationRow>,
+    pub(crate) transforms: Vec<TransformRow>,
     /// Sets of nodes whose reactions are asked for, with the line.
     pub(crate) reactions: Vec<(String, usize)>,
     /// What holds from the start.
@@ -132,6 +134,7 @@ impl Deck {
             ties: Vec::new(),
             rigid: Vec::new(),
             equations: Vec::new(),
+            transforms: Vec::new(),
             reactions: Vec::new(),
             initial: Step::empty(1),
             steps: Vec::new(),
@@ -282,6 +285,7 @@ impl Deck {
             "RIGID BODY" if !open.is_in_step => self.rigid.push(RigidRow::read_body(keyword, &scope, lines)?),
             "KINEMATIC COUPLING" if !open.is_in_step => self.rigid.extend(RigidRow::read_old(keyword, &scope, lines)?),
             "COUPLING" if !open.is_in_step => self.rigid.push(RigidRow::begin_coupling(keyword, &scope, lines)?),
+            "TRANSFORM" if !open.is_in_step => self.transforms.push(TransformRow::read(keyword, &scope, lines)?),
             "EQUATION" if !open.is_in_step => self.equations.extend(EquationRow::read(keyword, &scope, lines)?),
             "KINEMATIC" | "DISTRIBUTING" => match self.rigid.last_mut().filter(|row| row.keyword == "*COUPLING") {
                 Some(row) => row.read_kind(keyword, lines)?,
@@ -319,7 +323,10 @@ impl Deck {
             ("STEP" | "END STEP" | "STATIC" | "CLOAD" | "DLOAD" | "DSLOAD", _) => {
                 return Err(Fault::new(line, format!("*{} stands where none can be", keyword.name)));
             }
-            (name, _) => return Err(Fault::new(line, format!("*{name} is not known"))),
+            (name, _) => {
+                let instead = instead(name).map_or(String::new(), |text| format!(": {text}"));
+                return Err(Fault::new(line, format!("*{name} is not known{instead}")));
+            }
         }
         Ok(())
     }

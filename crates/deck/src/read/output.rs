@@ -17,6 +17,19 @@ pub(super) fn unused(name: &str) -> Option<&'static str> {
     }
 }
 
+/// What to write instead of a keyword that is not known.
+pub(super) fn instead(name: &str) -> Option<&'static str> {
+    match name {
+        "CLEARANCE" => Some(
+            "gaps and overlaps are those of the coordinates. Write ADJUST=length at *CONTACT PAIR to close gaps, or move the nodes for a wanted clearance",
+        ),
+        "CONTACT INTERFERENCE" => Some(
+            "overlaps of the coordinates are pressed as an interference fit over the first step. Leave it out, and move the nodes for a wanted interference",
+        ),
+        _ => None,
+    }
+}
+
 /// The parameter by which a request asks for results within steps, if it has one.
 pub(super) fn sampled(keyword: &Keyword) -> Option<&str> {
     let asks = |name: &str| matches!(name, "FREQUENCY" | "TIME POINTS" | "NUMBER INTERVAL" | "TIME INTERVAL");

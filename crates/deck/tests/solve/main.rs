@@ -10,6 +10,7 @@ mod frd;
 mod free_turns;
 mod friction;
 mod hertz;
+mod local_axes;
 mod page;
 mod refusals;
 mod reports;

@@ -10,6 +10,28 @@ fn what_is_not_known_is_named_by_its_line() {
     assert_eq!(said(&good, "good.inp"), "nothing");
     let rows = [
         ("*STATIC", "*DYNAMIC", "*DYNAMIC is not known"),
+        (
+            "*STATIC",
+            "*CLEARANCE",
+            "*CLEARANCE is not known: gaps and overlaps are those of the coordinates. Write ADJUST=length",
+        ),
+        (
+            "*STATIC",
+            "*CONTACT INTERFERENCE",
+            "*CONTACT INTERFERENCE is not known: overlaps of the coordinates are pressed",
+        ),
+        ("*STEP", "*TRANSFORM, NSET=BOTTOM\n1., 0., 0., 2., 0.\n*STEP", "a coordinate is missing in field 6"),
+        (
+            "*STEP",
+            "*TRANSFORM, NSET=BOTTOM, TYPE=S\n1., 0., 0., 2., 0., 0.\n*STEP",
+            "TYPE=S is not known; known are R, C",
+        ),
+        ("*STEP", "*TRANSFORM, NSET=BOTTOM\n1., 0., 0., 2., 0., 0.\n*STEP", "lie on one line through the origin"),
+        (
+            "*STEP",
+            "*TRANSFORM, NSET=BOTTOM\n1., 0., 0., 0., 1., 0.\n*TRANSFORM, NSET=BOTTOM\n1., 1., 0., 0., 1., 0.\n*STEP",
+            "has other axes by line",
+        ),
         ("*STATIC", "*STATIC, STABILIZE", "*STATIC, STABILIZE is not known; known are DIRECT, SOLVER"),
         ("*ELASTIC", "*ELASTIC, TYPE=ORTHO", "TYPE=ORTHO is not known; known are ISO, ISOTROPIC"),
         ("1000., 0.3", "1000., 0.5", "are not a material"),
