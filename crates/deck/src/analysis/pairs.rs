@@ -2,9 +2,10 @@
 
 use super::Bodies;
 use super::facets::has_curved_faces;
+use super::outside::Named;
 use super::spread::{Faces, faces};
 use super::surfaces::{face_number, surface};
-use super::tied_parts::{Part, parts_of};
+use super::tied_parts::{Part, named_faces, parts_of};
 use super::ties::facet_size;
 use crate::Fault;
 use crate::read::{Deck, Kind, Note, PairRow, SurfaceRow, TieRow};
@@ -21,6 +22,8 @@ pub(crate) struct Pairs {
     pub(crate) tied_by: BTreeMap<[usize; 2], usize>,
     /// Faces that are tied, by their nodes: what options number from 1.
     pub(crate) surfaces: Vec<Vec<Vec<u32>>>,
+    /// What contact pairs name, of pairs of bodies that touch by these alone.
+    pub(crate) named: Named,
     /// What is taken in another sense than the file may mean.
     pub(crate) notes: Vec<Note>,
 }
@@ -43,17 +46,8 @@ pub(super) fn stiffness(deck: &Deck, wanted: f64) -> Result<Option<f64>, Fault> 
             "LINEAR defines the pressure by penetration, so that no penetration tolerance can be set",
         ));
     }
-    // Without multipliers ties would give way by the stiffness of the contact.
     let is_tied = |row: &PairRow| deck.interactions.get(&row.interaction).is_some_and(|of| of.is_tied);
-    let ties =
-        deck.ties.iter().map(|row| row.line).chain(deck.pairs.iter().filter(|row| is_tied(row)).map(|row| row.line));
-    if let Some(line) = ties.min() {
-        return Err(Fault::new(
-            row.line,
-            format!("LINEAR is not supported together with the tie of line {line}: take HARD"),
-        ));
-    }
-    match deck.pairs.iter().find(|row| of(row).is_none()) {
+    match deck.pairs.iter().find(|row| of(row).is_none() && !is_tied(row)) {
         Some(other) => Err(Fault::new(
             other.line,
             format!(
@@ -86,6 +80,7 @@ pub(super) fn pairs<const D: usize>(deck: &Deck, bodies: Bodies<D>) -> Result<Pa
     let mut pairs = Pairs::default();
     let mut touching: BTreeMap<[usize; 2], (PairOptions, usize)> = BTreeMap::new();
     let mut ties: Vec<TieRow> = Vec::new();
+    let all = faces(bodies);
     for row in &deck.pairs {
         let interaction = deck
             .interactions
@@ -102,17 +97,18 @@ pub(super) fn pairs<const D: usize>(deck: &Deck, bodies: Bodies<D>) -> Result<Pa
         };
         let is_self = row.surfaces[0].eq_ignore_ascii_case(&row.surfaces[1]);
         let is_all = row.surfaces[0].is_empty();
-        if touching.is_empty() && !is_all {
-            let message =
-                "contact pairs choose bodies, which may also touch outside the surfaces named here".to_owned();
-            pairs.notes.push(Note { line: row.line, message });
-        }
         let count = bodies.model.parts().len();
         let chosen = match is_all {
             true => (0..count).flat_map(|a| (a..count).map(move |b| [a, b])).collect(),
             false => between(deck, bodies, row.line, &row.surfaces, is_self)?,
         };
+        let mut part = Part::new();
+        for name in row.surfaces.iter().filter(|_| !is_all) {
+            part.extend(named_faces(deck, bodies, &all, (row.line, name))?);
+        }
         for pair in chosen {
+            let (_, known) = pairs.named.entry(pair).or_insert((row.line, Part::new()));
+            known.extend(part.iter().cloned());
             let before = touching.insert(pair, (options, row.line));
             if let Some((_, first)) = before.filter(|(before, _)| *before != options) {
                 let [a, b] = names(bodies, pair);
@@ -121,13 +117,17 @@ pub(super) fn pairs<const D: usize>(deck: &Deck, bodies: Bodies<D>) -> Result<Pa
             }
         }
     }
+    // General contact is of all faces.
+    if deck.pairs.iter().any(|row| row.surfaces[0].is_empty()) {
+        pairs.named.clear();
+    }
     ties.extend(deck.ties.iter().cloned());
-    let all = faces(bodies);
     let ties = tied(deck, bodies, &all, &ties, &mut pairs.notes)?;
     let count = bodies.model.parts().len();
     let every = (0..count).flat_map(|a| (a + 1..count).map(move |b| [a, b]));
     pairs.options = every.map(|pair| (pair, PairOptions::excluded())).collect();
     pairs.options.extend(touching.iter().map(|(pair, (options, _))| (*pair, *options)));
+    let is_linear = touching.values().any(|(options, _)| options.law.is_some());
     for (pair, tie) in ties {
         let both = tie.parts.map(|part| {
             pairs.surfaces.push(part.iter().map(|key| all[key].nodes.clone()).collect());
@@ -141,10 +141,23 @@ pub(super) fn pairs<const D: usize>(deck: &Deck, bodies: Bodies<D>) -> Result<Pa
             return Err(Fault::new(tie.line, message));
         }
         let interface = Interface::Tied { reach: tie.reach };
-        pairs.options.insert(pair, PairOptions { interface, ..own }.between(both));
+        if let (Some(_), [a, b]) = (own.law, names(bodies, pair)) {
+            let message = format!("{a} and {b} are tied and a contact pair with LINEAR: take HARD");
+            return Err(Fault::new(tie.line, message));
+        }
+        let law = is_linear.then(|| EnergyLaw::depth(tie_stiffness(bodies, pair)));
+        pairs.options.insert(pair, PairOptions { interface, law, ..own }.between(both));
         pairs.tied_by.insert(pair, tie.line);
     }
     Ok(pairs)
+}
+
+/// Traction of a tie by its opening, where LINEAR leaves no multipliers that close it: by so much more than a facet's own that the bodies feel
+/// no joint, and by so little that their equations keep ten digits.
+fn tie_stiffness<const D: usize>(bodies: Bodies<D>, pair: [usize; 2]) -> f64 {
+    const BY_FACET: f64 = 1e6;
+    let of = |body: usize| bodies.model.parts()[body].material.young / facet_size(bodies, body);
+    BY_FACET * pair.map(of).into_iter().fold(0.0, f64::max)
 }
 
 /// What rows tie, by pair of bodies: ties of the same two bodies are one.

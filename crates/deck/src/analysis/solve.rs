@@ -6,7 +6,7 @@ use super::references::Way;
 use super::result::StepResult;
 use super::state::{Driven, State};
 use super::symmetry::planes;
-use super::{Bodies, Places, variants};
+use super::{Bodies, Places, mesh_faults, outside, variants};
 use crate::Fault;
 use crate::read::{Deck, Note};
 use fmc_contact::contact::PairOptions;
@@ -153,7 +153,7 @@ impl<'a, const D: usize> Analysis<'a, D> {
                     Kept::Model(model) => {
                         let names: Vec<String> = model.parts().iter().map(|part| part.name.clone()).collect();
                         let found = start.equilibrium(model, driven);
-                        found.map_err(|error| match untied(&error, &self.pairs, &names) {
+                        found.map_err(|error| match wrong(&error, (self.deck, &self.places), &self.pairs, &names) {
                             Some(fault) => anyhow::anyhow!(self.deck.located(&fault)),
                             None => error.into(),
                         })?
@@ -168,7 +168,10 @@ impl<'a, const D: usize> Analysis<'a, D> {
                 match at.follow(path, &mut |iteration| watch(number + 1, iteration)) {
                     Ok(()) => {}
                     Err(StaticsError::Interrupted) => return Ok(Solved::Interrupted(number + 1)),
-                    Err(error) => return Ok(Solved::Failed(number + 1, unheld(error, &at, &self.pairs))),
+                    Err(error) => {
+                        let error = unheld(error, &at, &self.pairs);
+                        return Ok(Solved::Failed(number + 1, in_labels(error, self.deck, &self.places)));
+                    }
                 }
                 before = time;
                 largest_force = largest_force.max(at.balance().scale);
@@ -180,6 +183,10 @@ impl<'a, const D: usize> Analysis<'a, D> {
                     let borne = self.state.borne(&at, self.places.is_finite);
                     let mut result = StepResult::new(&at, when, largest_force, &self.sets, borne, &label)?
                         .of_thickness(self.state.thickness);
+                    let bodies = Bodies { model: at.model(), places: &self.places };
+                    let (faces, thickness) = (self.state.faces(), self.state.thickness);
+                    let outside = outside::sentences((self.deck, bodies), faces, &self.pairs.named, &at, thickness)?;
+                    result.warnings.extend(outside);
                     if let Some(most) = step.most.filter(|most| *most < taken) {
                         result.warnings.push(format!("the step took {taken} increments, more than its INC={most}"));
                     }
@@ -238,6 +245,24 @@ fn unheld<const D: usize>(error: StaticsError, at: &Equilibrium<D>, pairs: &Pair
     };
     match error {
         StaticsError::Separated { body, motion } if is_tied(&body) => StaticsError::Unsupported { body, motion },
+        error => error,
+    }
+}
+
+/// What is wrong with a tie or with cells, at its line.
+fn wrong(error: &StaticsError, (deck, places): (&Deck, &Places), pairs: &Pairs, names: &[String]) -> Option<Fault> {
+    let of_cells = match error {
+        StaticsError::Contact(error) => mesh_faults::labelled(error, deck, places),
+        _ => None,
+    };
+    of_cells.or_else(|| untied(error, pairs, names))
+}
+
+/// An inverted cell by its label.
+fn in_labels(error: StaticsError, deck: &Deck, places: &Places) -> StaticsError {
+    let label = |cell: usize| deck.mesh.cells().nth(places.cells[cell]).map_or(cell, |(_, _, label, _)| label as usize);
+    match error {
+        StaticsError::Inverted { load, cell } => StaticsError::Inverted { load, cell: cell.map(label) },
         error => error,
     }
 }

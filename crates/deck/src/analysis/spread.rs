@@ -5,6 +5,7 @@ use super::facets::corner_count;
 use super::surfaces::{face_number, no_face, surface};
 use crate::Fault;
 use crate::read::{Deck, Kind, Load, LoadKind, SurfaceRow, face_corners};
+use fmc_contact::CellType;
 use fmc_solid::fem::Face;
 use std::collections::BTreeMap;
 
@@ -85,7 +86,11 @@ pub(super) fn faces_of_row<const D: usize>(
 
 /// All faces of a cell of the file, by their corners.
 pub(super) fn keys_of_cell<const D: usize>(deck: &Deck, bodies: Bodies<D>, cell: usize) -> Vec<Vec<u32>> {
-    let Some((cell_type, nodes, ..)) = deck.mesh.cells().nth(cell) else { return Vec::new() };
+    deck.mesh.cells().nth(cell).map_or(Vec::new(), |(cell_type, nodes, ..)| keys_of(bodies, cell_type, nodes))
+}
+
+/// All faces of a cell with these nodes of the file, by their corners.
+pub(super) fn keys_of<const D: usize>(bodies: Bodies<D>, cell_type: CellType, nodes: &[u32]) -> Vec<Vec<u32>> {
     face_corners(cell_type).iter().map(|local| key(bodies, nodes, local)).collect()
 }
 

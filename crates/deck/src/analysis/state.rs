@@ -78,6 +78,11 @@ impl<const D: usize> State<D> {
         Ok(state)
     }
 
+    /// Faces of the boundary of all bodies.
+    pub(super) fn faces(&self) -> &Faces {
+        &self.faces
+    }
+
     /// Begins a step; what it does not mention stays.
     pub(super) fn begin(&mut self, deck: &Deck, bodies: Bodies<D>, step: &Step) -> Result<(), Fault> {
         let end = self.end;

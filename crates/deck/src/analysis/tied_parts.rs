@@ -1,4 +1,4 @@
-//! Which faces of which bodies a tie names.
+//! Which faces of which bodies a tie or a contact pair names.
 
 use super::Bodies;
 use super::spread::{Faces, faces_of_row, keys_of_cell};
@@ -33,6 +33,39 @@ pub(super) fn parts_of<const D: usize>(
     }
 }
 
+/// Faces of the boundary that a surface names, of all bodies.
+pub(super) fn named_faces<const D: usize>(
+    deck: &Deck,
+    bodies: Bodies<D>,
+    all: &Faces,
+    (line, name): (usize, &str),
+) -> Result<Part, Fault> {
+    let (instance, is_of_nodes, rows) = surface(deck, line, name)?;
+    if is_of_nodes {
+        // A node in contact presses all faces around it.
+        let nodes = nodes_of(deck, bodies, (instance, rows))?;
+        return Ok(all.keys().filter(|key| key.iter().any(|node| nodes.contains(node))).cloned().collect());
+    }
+    Ok(of_elements(deck, bodies, all, (instance, rows))?.0)
+}
+
+/// Nodes of a surface of nodes.
+fn nodes_of<const D: usize>(
+    deck: &Deck,
+    bodies: Bodies<D>,
+    (instance, rows): (Option<usize>, &[SurfaceRow]),
+) -> Result<BTreeSet<u32>, Fault> {
+    let mut nodes: BTreeSet<u32> = BTreeSet::new();
+    for row in rows {
+        for node in deck.names.find(Kind::Node, instance, &row.set, row.line)? {
+            let label = deck.mesh.node_tags[node];
+            let of_none = || Fault::new(row.line, format!("node {label} belongs to no element"));
+            nodes.insert(bodies.places.node_of[node].ok_or_else(of_none)? as u32);
+        }
+    }
+    Ok(nodes)
+}
+
 fn by_body(all: &Faces, part: Part) -> BTreeMap<usize, Part> {
     let mut found: BTreeMap<usize, Part> = BTreeMap::new();
     for key in part {
@@ -48,14 +81,7 @@ fn between_nodes<const D: usize>(
     all: &Faces,
     (instance, rows): (Option<usize>, &[SurfaceRow]),
 ) -> Result<(Part, Option<String>), Fault> {
-    let mut nodes: BTreeSet<u32> = BTreeSet::new();
-    for row in rows {
-        for node in deck.names.find(Kind::Node, instance, &row.set, row.line)? {
-            let label = deck.mesh.node_tags[node];
-            let of_none = || Fault::new(row.line, format!("node {label} belongs to no element"));
-            nodes.insert(bodies.places.node_of[node].ok_or_else(of_none)? as u32);
-        }
-    }
+    let nodes = nodes_of(deck, bodies, (instance, rows))?;
     let part: Part = all.keys().filter(|key| key.iter().all(|node| nodes.contains(node))).cloned().collect();
     let covered: BTreeSet<u32> = part.iter().flat_map(|key| all[key].nodes.iter().copied()).collect();
     let of_none = nodes.difference(&covered).next().map(|node| {

@@ -12,6 +12,7 @@ mod friction;
 mod hertz;
 mod local_axes;
 mod page;
+mod pair_surfaces;
 mod refusals;
 mod reports;
 mod rigid;

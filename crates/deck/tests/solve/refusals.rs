@@ -47,7 +47,7 @@ fn what_is_not_known_is_named_by_its_line() {
         (
             "*CONTACT PAIR",
             "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR\n1e4\n*TIE\nSUPPER, SLOWER\n*CONTACT PAIR",
-            "LINEAR is not supported together with the tie of line",
+            "are tied and a contact pair with LINEAR: take HARD",
         ),
         ("BOTTOM, 2, 2", "BUTTON, 2, 2", "there is no node set 'BUTTON'"),
         ("BOTTOM, 2, 2", "4711, 2, 2", "there is no node 4711"),

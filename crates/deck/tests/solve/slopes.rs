@@ -44,3 +44,16 @@ fn every_pair_has_its_slope() {
         assert!((found - 3e-5 - 0.00125).abs() < 1e-7, "{joints}: {found}");
     }
 }
+
+/// A tie beside LINEAR: the squares are pressed as before, the contact is deep by the pressure by its slope, and the tie opens by nothing.
+#[test]
+fn a_tie_stands_beside_a_slope() {
+    let joints = linear("SOFT", "1e4", "BOTTOM2, TOP1") + "*TIE, NAME=T\nBOTTOM1, TOP0\n";
+    let outcome = solved_text::<2>("slope-and-tie", &tower(&joints));
+    // As above; the tie adds 1e-11.
+    let found = outcome.steps[0].displacement;
+    assert!((found - 3e-5 - 0.001).abs() < 1e-7, "{found}");
+    let across = outcome.displacement[4][1] - outcome.displacement[3][1];
+    assert!(across.abs() < 1e-9, "{across}");
+    assert_eq!(outcome.steps[0].ties.len(), 1);
+}

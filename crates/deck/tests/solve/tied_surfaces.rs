@@ -11,7 +11,7 @@ use fmc_solid::statics::{Equilibrium, NewtonSettings, Path, Problem};
 const E: f64 = 1000.0;
 
 /// A rectangle of CPE4 from `low` to `high`, whose labels begin after `first`: its nodes row by row, and so its elements.
-fn rectangle(name: &str, first: usize, [low, high]: [[f64; 2]; 2], [n, m]: [usize; 2]) -> String {
+pub(crate) fn rectangle(name: &str, first: usize, [low, high]: [[f64; 2]; 2], [n, m]: [usize; 2]) -> String {
     let mut text = format!("*NODE, NSET=N{name}\n");
     for (j, i) in (0..=m).flat_map(|j| (0..=n).map(move |i| (j, i))) {
         let [x, y] = [(0, i, n), (1, j, m)].map(|(k, at, of)| low[k] + (high[k] - low[k]) * at as f64 / of as f64);

@@ -10,7 +10,7 @@ use super::problem::Problem;
 use super::rigid::Rigid;
 use super::untouched::untouched;
 use crate::fem::{Constraints, Model};
-use fmc_contact::contact::{Adjustment, NodalContact, TieSummary};
+use fmc_contact::contact::{Adjustment, NodalContact, PointOfContact, TieSummary};
 use fmc_contact::overlap::Partner;
 use fmc_contact::{Contact, ContactForces, EnergyLaw, Estimator};
 use std::time::Instant;
@@ -183,6 +183,14 @@ impl<const D: usize> Equilibrium<D> {
     /// Those of the contact.
     pub fn nodal_contact(&self) -> Result<NodalContact<D>, StaticsError> {
         Ok(self.contact.nodal_contact(&self.placed(&self.displacement))?)
+    }
+
+    /// The contact points of the last equilibrium, with both sides of each.
+    ///
+    /// # Errors
+    /// Those of the contact.
+    pub fn contact_points(&self) -> Result<Vec<PointOfContact<D>>, StaticsError> {
+        Ok(self.contact.contact_points(&self.placed(&self.displacement))?)
     }
 
     /// What ties two bodies, and the nodes of the side that holds; `None` if they are not tied.
