@@ -93,3 +93,15 @@ fn the_status_tells_a_wrong_file_from_a_body_without_support() {
     assert!(!folder.join("out/model/model.frd").exists());
     fs::remove_dir_all(folder).unwrap();
 }
+
+/// Forces that are half out of balance are no equilibrium.
+#[test]
+fn a_loose_tolerance_is_refused() {
+    let folder = folder("tolerance");
+    fs::write(folder.join("model.inp"), deck()).unwrap();
+    let mut command = Command::new(env!("CARGO_BIN_EXE_fmc"));
+    let output = command.args(["solve", "model.inp", "--tolerance", "0.5"]).current_dir(&folder).output().unwrap();
+    let told = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.code() == Some(2) && told.contains("at most 0.01"), "{told}");
+    fs::remove_dir_all(folder).unwrap();
+}
