@@ -2,7 +2,7 @@
 
 use crate::depth;
 use crate::scene::Scene;
-use fmc_contact::{Contact, Error, Warning};
+use fmc_contact::{Contact, Error, Options, Warning};
 use fmc_shapes::{Mesh, cuboid_hex8, cuboid_tet4, cuboid_wedge6, rectangle_quad4};
 
 const DELTA: f64 = 1e-3;
@@ -119,6 +119,22 @@ fn what_is_named_by_mistake_is_told() {
     };
     assert!(!is_told([[0.0; 2], [-3.0, 0.0]]));
     assert!(is_told([[0.5, 0.0], [0.0, 1.0]]));
+}
+
+/// The halves of a body that overlap beside a plane of symmetry are one body or two: what it presses on itself is in balance.
+#[test]
+fn a_body_that_presses_on_itself_beside_a_plane_is_in_balance() {
+    let lower = rectangle_quad4([0.0, -1.0], [1.0, -DELTA], [4, 4]);
+    let upper = rectangle_quad4([0.0, 0.0], [0.6, 1.0], [3, 5]);
+    let scene = Scene::new().with(&lower, 0).with(&upper, 0);
+    let mut contact = scene.contact(Options { self_contact: true, ..depth(1.0) });
+    contact.set_symmetry_planes(&[[[0.0; 2], [1.0, 0.0]]]).expect("a plane");
+    let mut coords = scene.coords.clone();
+    let first = lower.coords.len();
+    coords[first..].iter_mut().for_each(|x| x[1] -= 2.0 * DELTA);
+    let found = contact.evaluate(&coords).expect("valid coordinates");
+    assert!(found.energy > 0.0);
+    assert!(found.warnings.is_empty(), "{:?}", found.warnings);
 }
 
 /// Without deformation a body shrinks into planes that bound it: nothing would be left of its surface.

@@ -27,7 +27,7 @@ pub(super) fn worded(
     label: &dyn Fn(usize) -> u64,
 ) -> Vec<String> {
     let mut all: Vec<String> = Vec::new();
-    for warning in warnings.iter().filter(|warning| !is_of_one_body(warning)) {
+    for warning in warnings {
         let mut warning = warning.clone();
         if let Warning::CoincidingFaces { nodes, .. } = &mut warning {
             nodes.iter_mut().for_each(|node| *node = label(*node) as usize);
@@ -37,12 +37,6 @@ pub(super) fn worded(
     let told: Vec<String> = warnings.iter().map(ToString::to_string).collect();
     all.extend(said.iter().filter(|text| !told.contains(text)).cloned());
     all.iter().map(|text| in_words(text, names)).collect()
-}
-
-/// Whether forces are said not to balance that a body has from itself: beside planes of symmetry their two sides are counted as one, whose sum, 0,
-/// is compared with itself.
-fn is_of_one_body(warning: &Warning) -> bool {
-    matches!(warning, Warning::Unbalanced { a, b, .. } if a == b)
 }
 
 /// A sentence in which bodies have their names.
@@ -71,7 +65,6 @@ mod tests {
         let warnings = [
             Warning::FlushFaces { a, b, area: 0.5 },
             Warning::CoincidingFaces { body: b, area: 0.5, nodes: vec![3, 4] },
-            Warning::Unbalanced { a, b: a, imbalance: 1.0 },
         ];
         let said = ["body 0 and body 1 overlap: An adjustment removes overlaps without strain".to_owned()];
         let said = [said[0].clone(), warnings[0].to_string(), "a body is free".to_owned()];

@@ -106,7 +106,11 @@ impl<'a, const D: usize> DeepBodies<'a, D> {
     fn imbalance(&self, of_b: &[bool], gradient: &[Vector<D>]) -> f64 {
         let mut sides = [Vector::<D>::zeros(); 2];
         of_b.iter().zip(gradient).for_each(|(&of_b, g)| sides[usize::from(of_b)] += g);
-        let largest = sides[0].norm().max(sides[1].norm());
+        // What a body presses on itself is one side, whose sum is none.
+        let largest = match self.pair.is_own() {
+            true => gradient.iter().map(Vector::norm).sum(),
+            false => sides[0].norm().max(sides[1].norm()),
+        };
         if !self.pair.weighting.is_plain() {
             // Radial forces are not in balance.
             sides.iter_mut().for_each(|side| side[0] = 0.0);
