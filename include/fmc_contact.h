@@ -670,8 +670,9 @@ fmc_status fmc_context_set_symmetry_planes(fmc_context *context,
 
 // Names `count` nodes, counted from the option `index_base`, that lie in planes of symmetry, instead of the planes of
 // `fmc_context_set_symmetry_planes`. The planes are found from the faces whose nodes are all named: they are the fewest planes that hold
-// all these nodes. A face of the contact surface in a corner between two planes does not count. With cells of second order name the nodes
-// in the middle of edges and faces, too.
+// all these nodes. A face of the contact surface in a corner between two planes does not count. In a slice one cell thick all nodes lie in
+// the planes of the slice: name further planes by `fmc_context_set_symmetry_planes`. With cells of second order name the nodes in the
+// middle of edges and faces, too.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NODE_OUT_OF_RANGE` naming the entry, `FMC_ERROR_UNSUPPORTED` for a body that would have no
 // surface left, or for nodes of a curved surface; earlier planes and nodes are then kept. Threads: one call at a time on a context.

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from fmc_contact_skfem import SkfemContact
 from scenes import blocks, displacement, joined
-from skfem import Basis, ElementQuadP, ElementTriP3, ElementVector
+from skfem import Basis, ElementHex1, ElementQuadP, ElementTriP3, ElementVector, MeshHex
 
 
 def named(bases):
@@ -44,6 +44,35 @@ def test_of_elements_whose_unknowns_are_no_nodes(element, kind):
         forces.append(contact.force(u))
     assert np.abs(forces[1] - forces[0]).max() > 1e-3 * np.abs(forces[0]).max()
     assert np.array_equal(forces[0], forces[2])
+
+
+def quarter(start, end, facets):
+    """A quarter of a ring, one cell thick, whose planes have names; ``both`` are the ends of the slice."""
+    mesh = MeshHex.init_tensor(np.linspace(start, end, 3), np.linspace(0, np.pi / 2, facets + 1), [0.0, 0.1])
+    radius, angle, height = mesh.p
+    mesh = MeshHex(np.stack([radius * np.cos(angle), radius * np.sin(angle), height]), mesh.t)
+    lies = {name: lambda x, axis=axis, at=at: np.isclose(x[axis], at) for name, axis, at in
+            (("x", 0, 0.0), ("y", 1, 0.0), ("low", 2, 0.0), ("high", 2, 0.1))}  # fmt: skip
+    lies["both"] = lambda x: lies["low"](x) | lies["high"](x)
+    return Basis(mesh.with_boundaries(lies), ElementVector(ElementHex1()))
+
+
+def test_a_slice_one_cell_thick():
+    """All its nodes lie in the two planes of the slice, so that nodes alone do not tell a cut from the contact surface."""
+    bases = [quarter(0.5, 1.0005, 16), quarter(0.9995, 1.5, 16)]
+    contact = SkfemContact([(bases[0], 0), (bases[1], bases[0].N)], stiffness=1e4)
+    contact.set_surface_smoothing(30.0)
+    axes = np.eye(3)
+    contact.contact.mesh.set_symmetry_planes([(0 * axes[0], axis) for axis in axes] + [(0.1 * axes[2], axes[2])])
+    u = np.zeros(contact.size)
+    expected = contact.force(u)
+    contact.set_symmetry_boundaries("x", "y", "low", "high")
+    assert np.array_equal(contact.force(u), expected)
+    # One name for both ends of a slice without cuts: their nodes are the same in either way.
+    contact.set_symmetry_boundaries("low", "high")
+    expected = contact.force(u)
+    contact.set_symmetry_boundaries("both")
+    assert np.array_equal(contact.force(u), expected)
 
 
 def test_a_name_that_no_mesh_has():

@@ -354,7 +354,8 @@ class Mesh:
 
         The planes are those in which the faces lie all of whose nodes are named, the fewest that hold all these nodes: see
         ``set_symmetry_planes``. A face of the contact surface in a corner between two planes does not count. With cells of second order the
-        nodes in the middle of edges and faces are named too.
+        nodes in the middle of edges and faces are named too. In a slice one cell thick all nodes lie in the planes of the slice: if it has further
+        planes, use ``set_symmetry_planes``.
 
         Parameters
         ----------

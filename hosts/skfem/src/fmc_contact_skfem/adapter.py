@@ -302,7 +302,10 @@ class SkfemContact(SmoothesSurfaces):
         return found, csr_matrix(entries, (len(found), self.size))
 
     def set_symmetry_boundaries(self, *names: str) -> None:
-        """Names the boundaries that lie in planes of symmetry. See ``Mesh.set_symmetry_nodes``.
+        """Names the boundaries that lie in planes of symmetry.
+
+        If every boundary lies in one plane on each mesh, these planes are set as by ``Mesh.set_symmetry_planes``, otherwise the nodes of all as by
+        ``Mesh.set_symmetry_nodes``. In a slice one cell thick, give every plane its own name: all nodes lie in the planes of the slice.
 
         Parameters
         ----------
@@ -322,6 +325,10 @@ class SkfemContact(SmoothesSurfaces):
         for name in names:
             if name not in known:
                 raise ValueError(f"no mesh has a boundary {name!r}; there are {sorted(known)}")
+        planes = [one.planes_of(name) for name in names for one in self._fields]
+        if all(found is not None for found in planes):
+            self.contact.mesh.set_symmetry_planes([plane for found in planes for plane in found or []])
+            return
         firsts = np.cumsum([0] + [len(one.coords) for one in self._fields])
         nodes = [one.nodes_on(name) + first for name in names for one, first in zip(self._fields, firsts)]
         self.contact.mesh.set_symmetry_nodes(np.unique(np.concatenate([np.empty(0, np.int64), *nodes])))
