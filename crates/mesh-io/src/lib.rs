@@ -150,6 +150,18 @@ impl Mesh {
         })
     }
 
+    /// One of them by its number, counted over all blocks.
+    pub fn cell(&self, number: usize) -> Option<(CellType, &[u32], u64, Option<i64>)> {
+        let mut first = 0;
+        let block = self.blocks.iter().find(|block| {
+            first += block.tags.len();
+            number < first
+        })?;
+        let (place, count) = (number + block.tags.len() - first, block.cell_type.node_count());
+        let nodes = &block.conn[place * count..(place + 1) * count];
+        Some((block.cell_type, nodes, block.tags[place], block.groups[place]))
+    }
+
     /// What the cells fill. NaN coordinates are left to the checks that name them.
     pub fn kind(&self) -> Kind {
         if self.blocks.iter().any(|block| block.cell_type.dimension() == 3) {

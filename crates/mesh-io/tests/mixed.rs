@@ -18,6 +18,8 @@ fn is_read_back(name: &str, text: impl FnOnce(&std::path::Path)) {
     for ((block, (cell_type, _)), expected) in mesh.blocks.iter().zip(TYPES).zip(&meshes) {
         assert_eq!((block.cell_type, &block.conn), (cell_type, &expected.conn));
     }
+    mesh.cells().enumerate().for_each(|(number, cell)| assert_eq!(mesh.cell(number), Some(cell)));
+    assert_eq!(mesh.cell(mesh.cell_count()), None);
 }
 
 #[test]

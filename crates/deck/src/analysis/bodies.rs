@@ -164,7 +164,7 @@ fn materials(deck: &Deck, is_finite: bool) -> Result<Vec<(Material, usize)>, Fau
             for cell in deck.names.find(Kind::Cell, instance, &section.set, section.line)? {
                 let before = found[cell].replace((material, section.line));
                 if let Some((_, line)) = before.filter(|(other, _)| *other != material) {
-                    let label = deck.mesh.cells().nth(cell).map_or(0, |(_, _, label, _)| label);
+                    let label = deck.mesh.cell(cell).map_or(0, |(_, _, label, _)| label);
                     let message = format!("element {label} has another material by the section of line {line}");
                     return Err(Fault::new(section.line, message));
                 }

@@ -7,7 +7,7 @@ use fmc_contact::Error;
 
 /// A fault of cells, at the line of the last of them.
 pub(super) fn labelled(error: &Error, deck: &Deck, places: &Places) -> Option<Fault> {
-    let label = |cell: usize| deck.mesh.cells().nth(places.cells[cell]).map_or(0, |(_, _, label, _)| label);
+    let label = |cell: usize| deck.mesh.cell(places.cells[cell]).map_or(0, |(_, _, label, _)| label);
     let named = |cells: &[usize]| cells.iter().map(|&cell| label(cell).to_string()).collect::<Vec<_>>().join(", ");
     let (cells, what) = match error {
         Error::RepeatedCell { cells: [one, other] } => {

@@ -260,7 +260,7 @@ fn wrong(error: &StaticsError, (deck, places): (&Deck, &Places), pairs: &Pairs, 
 
 /// An inverted cell by its label.
 fn in_labels(error: StaticsError, deck: &Deck, places: &Places) -> StaticsError {
-    let label = |cell: usize| deck.mesh.cells().nth(places.cells[cell]).map_or(cell, |(_, _, label, _)| label as usize);
+    let label = |cell: usize| deck.mesh.cell(places.cells[cell]).map_or(cell, |(_, _, label, _)| label as usize);
     match error {
         StaticsError::Inverted { load, cell } => StaticsError::Inverted { load, cell: cell.map(label) },
         error => error,

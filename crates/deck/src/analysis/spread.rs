@@ -86,7 +86,7 @@ pub(super) fn faces_of_row<const D: usize>(
 
 /// All faces of a cell of the file, by their corners.
 pub(super) fn keys_of_cell<const D: usize>(deck: &Deck, bodies: Bodies<D>, cell: usize) -> Vec<Vec<u32>> {
-    deck.mesh.cells().nth(cell).map_or(Vec::new(), |(cell_type, nodes, ..)| keys_of(bodies, cell_type, nodes))
+    deck.mesh.cell(cell).map_or(Vec::new(), |(cell_type, nodes, ..)| keys_of(bodies, cell_type, nodes))
 }
 
 /// All faces of a cell with these nodes of the file, by their corners.

@@ -20,7 +20,7 @@ pub(super) fn surface<'a>(
 /// The number of a face `S1`, `S2`, … of a cell, from 0.
 pub(super) fn face_number(deck: &Deck, cell: usize, row: &SurfaceRow) -> Result<usize, Fault> {
     let number = row.face.strip_prefix('S').and_then(|face| face.parse::<usize>().ok());
-    let count = deck.mesh.cells().nth(cell).map_or(0, |(cell_type, ..)| face_corners(cell_type).len());
+    let count = deck.mesh.cell(cell).map_or(0, |(cell_type, ..)| face_corners(cell_type).len());
     match number {
         Some(number @ 1..) if number <= count => Ok(number - 1),
         _ => Err(no_face(deck, cell, row.line, 'S', &row.face)),
@@ -28,8 +28,8 @@ pub(super) fn face_number(deck: &Deck, cell: usize, row: &SurfaceRow) -> Result<
 }
 
 pub(super) fn no_face(deck: &Deck, cell: usize, line: usize, letter: char, face: &str) -> Fault {
-    let count = deck.mesh.cells().nth(cell).map_or(0, |(cell_type, ..)| face_corners(cell_type).len());
-    let label = deck.mesh.cells().nth(cell).map_or(0, |(_, _, label, _)| label);
+    let count = deck.mesh.cell(cell).map_or(0, |(cell_type, ..)| face_corners(cell_type).len());
+    let label = deck.mesh.cell(cell).map_or(0, |(_, _, label, _)| label);
     let kind = &deck.elements[cell].kind;
     Fault::new(
         line,

@@ -170,7 +170,7 @@ class DolfinxContact(Linearised, SmoothesSurfaces):
         return self._shows.coords(owned)
 
     def set_symmetry_blocks(self, *blocks: Any) -> None:
-        """Names the nodes that lie in planes of symmetry. See ``Mesh.set_symmetry_nodes``.
+        """Names the nodes that lie in planes of symmetry. See ``Mesh.set_symmetry_nodes``, also for slices one cell thick.
 
         Parameters
         ----------

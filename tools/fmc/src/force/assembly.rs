@@ -101,7 +101,7 @@ impl<const D: usize> Assembly<D> {
     /// Where a cell stands, file and instance, and its number there.
     pub(super) fn cell_origin(&self, mut cell: usize) -> (String, u64) {
         for contents in &self.meshes {
-            match contents.cells().nth(cell) {
+            match contents.cell(cell) {
                 Some((_, nodes, tag, _)) => return (place(contents, nodes[0] as usize), tag),
                 None => cell -= contents.cell_count(),
             }
