@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from fmc_contact_skfem import SkfemContact
 from scenes import blocks, displacement, joined
-from skfem import Basis, ElementHex1, ElementQuadP, ElementTriP3, ElementVector, MeshHex
+from skfem import Basis, ElementHex1, ElementQuad1, ElementQuadP, ElementTriP3, ElementVector, MeshHex, MeshQuad
 
 
 def named(bases):
@@ -72,6 +72,20 @@ def test_a_slice_one_cell_thick():
     contact.set_symmetry_boundaries("low", "high")
     expected = contact.force(u)
     contact.set_symmetry_boundaries("both")
+    assert np.array_equal(contact.force(u), expected)
+
+
+def test_a_crack_beside_a_ligament():
+    """Of two boundaries in one plane the one without a name may touch another body."""
+    upper = MeshQuad.init_tensor(np.linspace(0.0, 1.0, 5), np.linspace(0.0, 1.0, 5))
+    upper = upper.with_boundaries({"ligament": lambda x: np.isclose(x[1], 0.0) & (x[0] > 0.5)})
+    lower = MeshQuad.init_tensor(np.linspace(0.05, 0.45, 4), np.linspace(-0.3, 0.01, 3))
+    bases = [Basis(mesh, ElementVector(ElementQuad1())) for mesh in (upper, lower)]
+    contact = SkfemContact([(bases[0], 0), (bases[1], bases[0].N)], stiffness=10.0)
+    u = np.zeros(contact.size)
+    expected = contact.force(u)
+    assert np.abs(expected).max() > 0
+    contact.set_symmetry_boundaries("ligament")
     assert np.array_equal(contact.force(u), expected)
 
 

@@ -14,6 +14,7 @@ from skfem import CellBasis
 
 from .bases import fields_of, size_of
 from .field import Field
+from .symmetry import planes_of
 
 
 class SkfemContact(SmoothesSurfaces):
@@ -304,8 +305,9 @@ class SkfemContact(SmoothesSurfaces):
     def set_symmetry_boundaries(self, *names: str) -> None:
         """Names the boundaries that lie in planes of symmetry.
 
-        If every boundary lies in one plane on each mesh, these planes are set as by ``Mesh.set_symmetry_planes``, otherwise the nodes of all as by
-        ``Mesh.set_symmetry_nodes``. In a slice one cell thick, give every plane its own name: all nodes lie in the planes of the slice.
+        If every boundary lies in one plane on each mesh, and no other facets lie in these planes, they are set as by ``Mesh.set_symmetry_planes``,
+        otherwise the nodes of all as by ``Mesh.set_symmetry_nodes``. In a slice one cell thick, give every plane its own name: all nodes lie in
+        the planes of the slice.
 
         Parameters
         ----------
@@ -325,9 +327,9 @@ class SkfemContact(SmoothesSurfaces):
         for name in names:
             if name not in known:
                 raise ValueError(f"no mesh has a boundary {name!r}; there are {sorted(known)}")
-        planes = [one.planes_of(name) for name in names for one in self._fields]
-        if all(found is not None for found in planes):
-            self.contact.mesh.set_symmetry_planes([plane for found in planes for plane in found or []])
+        planes = planes_of(names, [one.basis.mesh for one in self._fields])
+        if planes is not None:
+            self.contact.mesh.set_symmetry_planes(planes)
             return
         firsts = np.cumsum([0] + [len(one.coords) for one in self._fields])
         nodes = [one.nodes_on(name) + first for name in names for one, first in zip(self._fields, firsts)]

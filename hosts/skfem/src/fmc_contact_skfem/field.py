@@ -70,20 +70,6 @@ class Field(NamedTuple):
         first = self.dofs[:, 0] - (self.reach - self.basis.N)
         return np.flatnonzero(np.isin(first, self.basis.get_dofs(boundary).all()))
 
-    def planes_of(self, boundary: str) -> list[tuple[np.ndarray, np.ndarray]] | None:
-        """The plane in which a named boundary of the mesh lies, none without such a name; ``None`` if it lies in several."""
-        mesh = self.basis.mesh
-        facets = mesh.facets[:, np.asarray((mesh.boundaries or {}).get(boundary, []), np.int64)]
-        if facets.size == 0:
-            return []
-        corners = mesh.p[:, facets]
-        middle = corners.mean(axis=(1, 2))
-        normal = np.linalg.svd(corners.reshape(len(middle), -1).T - middle, full_matrices=False)[2][-1]
-        heights = np.abs(np.tensordot(normal, corners - middle[:, None, None], 1)).max(axis=0)
-        extents = np.linalg.norm(corners - corners[:, :1], axis=0).max(axis=0)
-        # As far as the library takes a face to lie in a plane.
-        return [(middle, normal)] if np.all(heights <= 1e-3 * extents) else None
-
 
 def cells_of(mesh: skfem.Mesh) -> tuple[str, np.ndarray]:
     """Type of the cells by their corners, as ``fmc_contact`` calls it, and the corners in VTK's order, (cells, corners)."""
