@@ -12,14 +12,18 @@ mod tree;
 
 use aabb::Aabb;
 use fmc_shapes::{Mesh, icosphere};
+use geometry::Vector;
 use parry3d_f64::bounding_volume::{Aabb as TheirBox, BoundingVolume};
 use parry3d_f64::partitioning::{Bvh, BvhBuildStrategy, BvhWorkspace};
 use std::hint::black_box;
 use std::time::Instant;
 use tree::Tree;
 
-/// Point or vector of `D` components, as the tree's file imports it.
-type Vector<const D: usize> = nalgebra::SVector<f64, D>;
+/// What these files import.
+mod geometry {
+    /// Point or vector of `D` components.
+    pub(crate) type Vector<const D: usize> = nalgebra::SVector<f64, D>;
+}
 
 const ROUNDS: usize = 9;
 
