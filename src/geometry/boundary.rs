@@ -1,6 +1,8 @@
 //! The surface of the bodies.
 //!
-//! `surface`, `boundary_facet`, `surface_of_facets`, `surface_division` (facets, of cells of first or second order) · `surface_shares`, `point_weights` (by node) · `closed`, `coinciding`, `submesh` (whether it is whole) · `symmetry` · `sags`, `facet_sags` (what smooth faces rise above straight ones)
+//! `surface`, `boundary_facet`, `surface_of_facets`, `surface_division` (facets, of cells of first or second order) · `surface_shares`,
+//! `point_weights` (by node) · `closed`, `coinciding`, `submesh` (whether it is whole) · `symmetry` · `sags`, `facet_sags` (what smooth
+//! faces rise above straight ones)
 
 pub(in crate::geometry) mod boundary_facet;
 pub(in crate::geometry) mod closed;

@@ -1,6 +1,7 @@
 //! Cells as a host gives them.
 //!
-//! `cell`, `cell_faces`, `facet_block` (types, with their faces) · `cells`, `components`, `hanging` (neighbours, bodies, nodes on faces) · `collapsed`, `weld`, `inverted` (meshes with faults)
+//! `cell`, `cell_faces`, `facet_block` (types, with their faces) · `cells`, `components`, `hanging` (neighbours, bodies, nodes on faces)
+//! · `collapsed`, `weld`, `inverted` (meshes with faults)
 
 pub(in crate::geometry) mod cell;
 pub(in crate::geometry) mod cell_faces;

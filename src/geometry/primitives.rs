@@ -1,6 +1,8 @@
 //! Boxes, planes, facets and simplices, with what is measured on each.
 //!
-//! `aabb`, `tree` (boxes, and those that meet one) · `plane`, `pose` · `facet`, `facet_slopes`, `nearest_on_facet`, `inside`, `crossing` (facets and lines) · `simplex`, `convex_piece`, `orientation` (parts of simplices) · `quadrature`, `simplex_rule`, `weighting` (integrals)
+//! `aabb`, `tree` (boxes, and those that meet one) · `plane`, `pose` · `facet`, `facet_slopes`, `nearest_on_facet`, `inside`, `crossing`
+//! (facets and lines) · `simplex`, `convex_piece`, `orientation` (parts of simplices) · `quadrature`, `simplex_rule`, `weighting`
+//! (integrals)
 
 pub(crate) mod aabb;
 pub(crate) mod convex_piece;

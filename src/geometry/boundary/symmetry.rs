@@ -64,6 +64,29 @@ impl<const D: usize> SymmetryPlane<D> {
     }
 }
 
+/// Directions across the planes of symmetry in which a vertex lies, each at right angles to those before it.
+#[derive(Default)]
+pub(crate) struct AcrossPlanes<const D: usize>(Vec<Vector<D>>);
+
+/// A normal with no more than this beside others is one of theirs.
+const ROUNDING: f64 = 1e-9;
+
+impl<const D: usize> AcrossPlanes<D> {
+    /// Adds that of a face in such a plane, by its normal.
+    pub(crate) fn add(&mut self, normal: &Vector<D>) {
+        self.0.extend(self.taken_from(*normal).try_normalize(ROUNDING));
+    }
+
+    pub(crate) fn is_empty(&self) -> bool {
+        self.0.is_empty()
+    }
+
+    /// What of a vector runs along all of the planes.
+    pub(crate) fn taken_from(&self, vector: Vector<D>) -> Vector<D> {
+        self.0.iter().fold(vector, |rest, across| rest - across * rest.dot(across))
+    }
+}
+
 impl<const D: usize> Symmetry<D> {
     /// Whether a face is no surface: all its nodes are marked, and lie in one plane.
     pub(crate) fn has(&self, nodes: &[u32], places: &[Vector<D>]) -> bool {

@@ -8,6 +8,7 @@
 
 use super::Bodies;
 use super::references::{Reference, Way};
+use super::shares::cross;
 use crate::Fault;
 use crate::read::{Deck, Kind, TransformRow};
 
@@ -99,10 +100,6 @@ fn minus(p: [f64; 3], q: [f64; 3]) -> [f64; 3] {
 
 fn dot(p: [f64; 3], q: [f64; 3]) -> f64 {
     (0..3).map(|k| p[k] * q[k]).sum()
-}
-
-fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    std::array::from_fn(|k| a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3])
 }
 
 #[cfg(test)]

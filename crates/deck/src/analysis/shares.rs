@@ -70,7 +70,7 @@ fn inverse_inertia<const D: usize>(arms: &[[f64; 3]], weights: &[f64]) -> Option
     (determinant > SINGULAR * scale.powi(3)).then_some(inverse)
 }
 
-fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+pub(super) fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
     std::array::from_fn(|k| a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3])
 }
 

@@ -5,6 +5,7 @@
 //! surface ends, at an edge of the body, the other one does.
 
 use super::FacetSag;
+use crate::geometry::boundary::symmetry::AcrossPlanes;
 use crate::geometry::{Surface, Vector};
 
 /// What is around the vertices of a surface.
@@ -96,11 +97,11 @@ impl<'a, const D: usize> Smoothed<'a, D> {
     /// The normal of the surface at a vertex, as smooth as a facet sees it; `None` where no other facet goes on there smoothly.
     fn normal_at(&self, vertex: u32, facet: usize) -> Option<Vector<D>> {
         let own = &self.normals[facet];
-        let (mut sum, mut ends, mut count) = (Vector::<D>::zeros(), Vec::<Vector<D>>::new(), 0);
+        let (mut sum, mut ends, mut count) = (Vector::<D>::zeros(), AcrossPlanes::default(), 0);
         for &other in &self.around[vertex as usize] {
             let other = other as usize;
             if !self.is_surface[other] {
-                ends.extend(across(&ends, &self.normals[other]));
+                ends.add(&self.normals[other]);
             } else if self.normals[other].dot(own) > self.smooth {
                 sum += self.normals[other] * self.weight(other, vertex);
                 count += 1;
@@ -110,8 +111,7 @@ impl<'a, const D: usize> Smoothed<'a, D> {
             return None;
         }
         // A body that goes on behind a plane of symmetry has the mirrored facet there, in a corner of planes behind each of them.
-        ends.iter().for_each(|end| sum -= end * sum.dot(end));
-        sum.try_normalize(0.0)
+        ends.taken_from(sum).try_normalize(0.0)
     }
 
     /// With what part a facet counts at a vertex: by its angle there, in the plane by one over its length, so that three points on an arc
@@ -126,10 +126,4 @@ impl<'a, const D: usize> Smoothed<'a, D> {
         let (e, f) = (at(k + 1) - at(k), at(k + 2) - at(k));
         (e.dot(&f) / (e.norm() * f.norm())).clamp(-1.0, 1.0).acos()
     }
-}
-
-/// The direction of a plane's normal across those of other planes; `None` for one of these.
-fn across<const D: usize>(others: &[Vector<D>], normal: &Vector<D>) -> Option<Vector<D>> {
-    let rest = others.iter().fold(*normal, |rest, other| rest - other * rest.dot(other));
-    rest.try_normalize(ROUNDING)
 }

@@ -3,6 +3,7 @@
 use crate::configuration::FacetSide;
 use crate::depth_field::{Curves, DepthPiece, MOST_NODES, Quadratic};
 use crate::geometry::Vector;
+use crate::geometry::boundary::symmetry::AcrossPlanes;
 use crate::geometry::primitives::aabb::Aabb;
 use crate::geometry::primitives::facet::area_vector;
 use crate::geometry::primitives::tree::Tree;
@@ -115,13 +116,13 @@ impl<const D: usize> Layer<'_, D> {
     /// and along the planes in which the surface ends there.
     fn way_out(&self, vertex: u32) -> Vector<D> {
         let (mut squares, mut sum) = (SMatrix::<f64, D, D>::zeros(), Vector::<D>::zeros());
-        let (mut count, mut least, mut ends) = (0.0, f64::INFINITY, Vector::<D>::zeros());
+        let (mut count, mut least, mut ends) = (0.0, f64::INFINITY, AcrossPlanes::default());
         for &facet in self.curves.around(vertex) {
             let number = facet as usize - self.first;
             let area = area_vector(&self.side.corners(number));
             let Some(normal) = area.try_normalize(0.0) else { continue };
             if !self.curves.is_surface(facet as usize) {
-                ends += normal;
+                ends.add(&normal);
                 continue;
             }
             squares += normal * normal.transpose();
@@ -130,10 +131,7 @@ impl<const D: usize> Layer<'_, D> {
             least = least.min(area.norm().powf(1.0 / (D - 1) as f64));
         }
         let kept = squares + SMatrix::identity() * (NO_NORMAL * count);
-        let mut way = kept.try_inverse().map_or_else(Vector::zeros, |inverse| inverse * sum);
-        if let Some(end) = ends.try_normalize(0.0) {
-            way -= end * way.dot(&end);
-        }
+        let mut way = ends.taken_from(kept.try_inverse().map_or_else(Vector::zeros, |inverse| inverse * sum));
         let length = way.norm();
         if length > FARTHEST {
             way *= FARTHEST / length;
