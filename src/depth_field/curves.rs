@@ -4,6 +4,7 @@ use super::divisions::Divisions;
 use super::heights_in_cells::{HeightsInCells, SagTerm};
 use super::rims::at_rims;
 use crate::geometry::boundary::facet_sags::{FacetSag, FacetSags};
+use crate::geometry::boundary::facets_around::FacetsAround;
 use crate::geometry::mesh::cells::Cells;
 use crate::geometry::{Surface, Vector};
 use rustc_hash::FxHashMap;
@@ -20,9 +21,7 @@ pub(crate) struct Curves<const D: usize> {
     at_rims: Vec<bool>,
     /// Vertices without deformation.
     points: Vec<Vector<D>>,
-    /// Facets around every vertex, one after the other, and where they begin.
-    around: Vec<u32>,
-    starts: Vec<u32>,
+    pub(crate) around: FacetsAround,
     /// Of the simplices of cells that have a curved face, or a part of its border: what the height adds to the depth.
     cells: FxHashMap<u32, Vec<Vec<SagTerm>>>,
 }
@@ -75,20 +74,9 @@ impl<const D: usize> Curves<D> {
         let FacetSags { sags: facets, heights } = surface.facet_sags(&is_surface, feature_angle)?;
         let of_cells = HeightsInCells { surface, cells, facets: &facets, divisions, division_of }.terms(&is_surface);
         let is_surface: Vec<bool> = (0..surface.facets.len()).map(is_surface).collect();
-        let mut starts = vec![0; surface.nodes.len() + surface.centroids.len() + 1];
-        surface.facets.iter().flatten().for_each(|&vertex| starts[vertex as usize + 1] += 1);
-        (1..starts.len()).for_each(|k| starts[k] += starts[k - 1]);
-        let (mut next, mut around) = (starts.clone(), vec![0; D * surface.facets.len()]);
-        for (number, facet) in surface.facets.iter().enumerate() {
-            for &vertex in facet {
-                around[next[vertex as usize] as usize] = number as u32;
-                next[vertex as usize] += 1;
-            }
-        }
-        let points = surface.points(surface.reference());
-        let of_vertex = |vertex: u32| &around[starts[vertex as usize] as usize..starts[vertex as usize + 1] as usize];
-        let at_rims = at_rims(&surface.facets, &facets, &is_surface, of_vertex);
-        Some(Self { facets, heights, is_surface, at_rims, points, around, starts, cells: of_cells })
+        let (points, around) = (surface.points(surface.reference()), FacetsAround::new(surface));
+        let at_rims = at_rims(surface, &facets, &is_surface, &around);
+        Some(Self { facets, heights, is_surface, at_rims, points, around, cells: of_cells })
     }
 
     /// The height of the surface above a facet.
@@ -119,12 +107,6 @@ impl<const D: usize> Curves<D> {
     /// Corners of a facet without deformation.
     pub(crate) fn corners(&self, facet: &[u32; D]) -> [Vector<D>; D] {
         facet.map(|vertex| self.points[vertex as usize])
-    }
-
-    /// Facets around a vertex.
-    pub(crate) fn around(&self, vertex: u32) -> &[u32] {
-        let vertex = vertex as usize;
-        &self.around[self.starts[vertex] as usize..self.starts[vertex + 1] as usize]
     }
 
     /// What the height adds to the depth in a simplex of a cell, given the numbers of its corners.

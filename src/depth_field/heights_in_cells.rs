@@ -35,8 +35,8 @@ pub(super) struct HeightsInCells<'a, const D: usize> {
     pub(super) division_of: &'a [u32],
 }
 
-/// A corner of simplices, the same in all cells: nodes, and the bits of their weights.
-type Corner = Vec<(u32, u64)>;
+/// A corner of simplices, the same in all cells of a body: its nodes, and the bits of their weights.
+type Corner = (u32, Vec<(u32, u64)>);
 
 /// Heights at a corner, or between two.
 #[derive(Default)]
@@ -85,7 +85,7 @@ impl<const D: usize> HeightsInCells<'_, D> {
             }
             if !sag.is_flat() {
                 self.add_below(cell, &corners, (&sag, &of_facet, &numbers), &mut known);
-                let all = corners[..=D].iter().flat_map(|&corner| self.corner(cell, corner));
+                let all = corners[..=D].iter().flat_map(|&corner| self.corner(cell, corner).1);
                 nodes.extend(all.map(|(node, _)| node));
             }
         }
@@ -173,9 +173,9 @@ impl<const D: usize> HeightsInCells<'_, D> {
     }
 
     fn corner(&self, cell: u32, corner: u8) -> Corner {
-        let mut all: Corner = self.weights(cell, corner).map(|(node, weight)| (node, weight.to_bits())).collect();
+        let mut all: Vec<_> = self.weights(cell, corner).map(|(node, weight)| (node, weight.to_bits())).collect();
         all.sort_unstable();
-        all
+        (self.cells.body[cell as usize], all)
     }
 
     /// Where a corner lies without deformation.

@@ -25,6 +25,7 @@ mod reference;
 mod rigid_meshes;
 mod round_obstacles;
 mod scans;
+mod seams;
 mod shells;
 mod slices;
 mod slopes;

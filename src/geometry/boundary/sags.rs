@@ -1,5 +1,6 @@
 //! How far the round surface that straight facets stand for lies beside them.
 
+use super::facets_around::FacetsAround;
 use crate::geometry::primitives::facet::area_vector;
 use crate::geometry::{Surface, Vector};
 
@@ -16,19 +17,16 @@ impl<const D: usize> Surface<D> {
     pub(crate) fn sags(&self, is_surface: impl Fn(usize) -> bool) -> Vec<f64> {
         let points = self.points(self.reference());
         let mut areas = vec![Vector::<D>::zeros(); self.facets.len()];
-        let mut at_vertex: Vec<[u32; 2]> = Vec::with_capacity(D * self.facets.len());
         for (number, facet) in self.facets.iter().enumerate().filter(|(number, _)| is_surface(*number)) {
             areas[number] = area_vector(&facet.map(|vertex| points[vertex as usize]));
-            at_vertex.extend(facet.map(|vertex| [vertex, number as u32]));
         }
-        at_vertex.sort_unstable();
-        let around = |vertex: u32| {
-            let start = at_vertex.partition_point(|[of, _]| *of < vertex);
-            at_vertex[start..].iter().take_while(move |[of, _]| *of == vertex).map(|[_, facet]| *facet as usize)
-        };
-        let normal_at = |vertex: u32, own: &Vector<D>| {
-            let smooth =
-                around(vertex).filter(|&facet| areas[facet].dot(own) > SMOOTH * areas[facet].norm() * own.norm());
+        let around = FacetsAround::new(self);
+        let normal_at = |vertex: u32, of: usize| {
+            let own = &areas[of];
+            // Facets that are not surface have no area here.
+            let smooth = around
+                .of_body(of, vertex)
+                .filter(|&facet| areas[facet].dot(own) > SMOOTH * areas[facet].norm() * own.norm());
             let sum = smooth.fold(Vector::<D>::zeros(), |sum, facet| sum + areas[facet]);
             sum.try_normalize(0.0).unwrap_or_else(Vector::zeros)
         };
@@ -42,7 +40,7 @@ impl<const D: usize> Surface<D> {
                 let [i, j] = [corners[k], corners[(k + 1) % corners.len()]];
                 let along = (points[j as usize] - points[i as usize]) * 0.25;
                 let [of_i, of_j] =
-                    [-along.dot(&normal_at(i, &areas[number])), along.dot(&normal_at(j, &areas[number]))];
+                    [-along.dot(&normal_at(i, number)), along.dot(&normal_at(j, number))];
                 if of_i * of_j > 0.0 { of_i.abs().min(of_j.abs()) } else { 0.0 }
             };
             sags[number] = (0..corners.len()).map(rise).fold(0.0, f64::max);

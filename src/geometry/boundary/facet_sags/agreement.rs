@@ -4,12 +4,16 @@ use super::{FacetSag, edge_count};
 use crate::geometry::boundary::sags::SMOOTH;
 use crate::geometry::{Surface, Vector};
 use rustc_hash::FxHashMap;
+use std::ops::Range;
 
 impl<const D: usize> Surface<D> {
     /// Gives facets that meet at a smooth corner or edge the mean of their heights there.
     pub(super) fn agree(&self, sags: &mut [FacetSag<D>], normals: &[Vector<D>], is_surface: impl Fn(usize) -> bool) {
-        let mut shared: FxHashMap<[u32; 2], Shared<D>> = FxHashMap::default();
-        let all = || self.facets.iter().enumerate().filter(|(number, _)| is_surface(*number));
+        // By body: others may share its nodes.
+        let mut shared: FxHashMap<(usize, [u32; 2]), Shared<D>> = FxHashMap::default();
+        let of_body =
+            |(body, range): (usize, &Range<usize>)| range.clone().map(move |number| (body, number, &self.facets[number]));
+        let all = || self.ranges.iter().enumerate().flat_map(of_body).filter(|(_, number, _)| is_surface(*number));
         let places = |facet: &[u32; D]| {
             let facet = *facet;
             let corners = (0..D).map(move |k| ([facet[k]; 2], k, false));
@@ -18,14 +22,14 @@ impl<const D: usize> Surface<D> {
         let height = |sag: &FacetSag<D>, k: usize, is_edge: bool| {
             if is_edge { sag.at_edges[k] } else { sag.at_corners[k] }
         };
-        for (number, facet) in all() {
+        for (body, number, facet) in all() {
             for (place, k, is_edge) in places(facet) {
-                shared.entry(place).or_default().add(&normals[number], height(&sags[number], k, is_edge));
+                shared.entry((body, place)).or_default().add(&normals[number], height(&sags[number], k, is_edge));
             }
         }
-        for (number, facet) in all() {
+        for (body, number, facet) in all() {
             for (place, k, is_edge) in places(facet) {
-                let Some(mean) = shared.get(&place).and_then(Shared::mean) else { continue };
+                let Some(mean) = shared.get(&(body, place)).and_then(Shared::mean) else { continue };
                 let sag = &mut sags[number];
                 if is_edge {
                     sag.at_edges[k] = mean;

@@ -5,6 +5,7 @@
 //! surface ends, at an edge of the body, the other one does.
 
 use super::FacetSag;
+use crate::geometry::boundary::facets_around::FacetsAround;
 use crate::geometry::boundary::symmetry::AcrossPlanes;
 use crate::geometry::{Surface, Vector};
 
@@ -14,8 +15,7 @@ pub(super) struct Smoothed<'a, const D: usize> {
     points: &'a [Vector<D>],
     normals: &'a [Vector<D>],
     is_surface: Vec<bool>,
-    /// Facets around every vertex.
-    around: Vec<Vec<u32>>,
+    around: FacetsAround,
     /// Cosine of the feature angle.
     smooth: f64,
 }
@@ -30,16 +30,12 @@ impl<'a, const D: usize> Smoothed<'a, D> {
         is_surface: &impl Fn(usize) -> bool,
         feature_angle: f64,
     ) -> Self {
-        let mut around = vec![Vec::new(); points.len()];
-        for (number, facet) in surface.facets.iter().enumerate() {
-            facet.iter().for_each(|&vertex| around[vertex as usize].push(number as u32));
-        }
         Self {
             surface,
             points,
             normals,
             is_surface: (0..surface.facets.len()).map(is_surface).collect(),
-            around,
+            around: FacetsAround::new(surface),
             smooth: feature_angle.cos(),
         }
     }
@@ -98,8 +94,7 @@ impl<'a, const D: usize> Smoothed<'a, D> {
     fn normal_at(&self, vertex: u32, facet: usize) -> Option<Vector<D>> {
         let own = &self.normals[facet];
         let (mut sum, mut ends, mut count) = (Vector::<D>::zeros(), AcrossPlanes::default(), 0);
-        for &other in &self.around[vertex as usize] {
-            let other = other as usize;
+        for other in self.around.of_body(facet, vertex) {
             if !self.is_surface[other] {
                 ends.add(&self.normals[other]);
             } else if self.normals[other].dot(own) > self.smooth {

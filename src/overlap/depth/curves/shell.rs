@@ -102,7 +102,7 @@ impl<const D: usize> Layer<'_, D> {
         let mut order: [usize; D] = std::array::from_fn(|k| k);
         order.sort_by_key(|&k| vertices[k]);
         let low = order.map(|k| corners[k]);
-        let high: [Vector<D>; D] = order.map(|k| corners[k] + self.way_out(vertices[k]));
+        let high: [Vector<D>; D] = order.map(|k| corners[k] + self.way_out(facet, vertices[k]));
         for step in 0..D {
             // From the lower facet to the upper one, corner by corner.
             let mut simplex = [Vector::zeros(); 4];
@@ -114,14 +114,13 @@ impl<const D: usize> Layer<'_, D> {
 
     /// The way from a vertex to the other side of the layer: as high above all facets around it as the layer is thick, or nearly so,
     /// and along the planes in which the surface ends there.
-    fn way_out(&self, vertex: u32) -> Vector<D> {
+    fn way_out(&self, of: u32, vertex: u32) -> Vector<D> {
         let (mut squares, mut sum) = (SMatrix::<f64, D, D>::zeros(), Vector::<D>::zeros());
         let (mut count, mut least, mut ends) = (0.0, f64::INFINITY, AcrossPlanes::default());
-        for &facet in self.curves.around(vertex) {
-            let number = facet as usize - self.first;
-            let area = area_vector(&self.side.corners(number));
+        for facet in self.curves.around.of_body(self.first + of as usize, vertex) {
+            let area = area_vector(&self.side.corners(facet - self.first));
             let Some(normal) = area.try_normalize(0.0) else { continue };
-            if !self.curves.is_surface(facet as usize) {
+            if !self.curves.is_surface(facet) {
                 ends.add(&normal);
                 continue;
             }
