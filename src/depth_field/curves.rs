@@ -2,8 +2,8 @@
 
 use super::divisions::Divisions;
 use super::heights_in_cells::{HeightsInCells, SagTerm};
-use super::rims::at_rims;
-use crate::geometry::boundary::facet_sags::{FacetSag, FacetSags};
+use super::rims::{Facets, Rims};
+use crate::geometry::boundary::facet_sags::{Bend, FacetSag, FacetSags, MostCurved};
 use crate::geometry::boundary::facets_around::FacetsAround;
 use crate::geometry::mesh::cells::Cells;
 use crate::geometry::{Surface, Vector};
@@ -13,18 +13,23 @@ use rustc_hash::FxHashMap;
 pub(crate) struct Curves<const D: usize> {
     /// By facet, the height of the surface above it.
     facets: Vec<FacetSag<D>>,
-    /// The largest of these, by body.
-    heights: Vec<f64>,
+    /// The curvature of every facet.
+    curvatures: Vec<f64>,
+    /// The largest of both, by body.
+    of_bodies: Vec<MostCurved>,
     /// Whether a facet is surface.
     is_surface: Vec<bool>,
-    /// Whether it lies along a rim.
-    at_rims: Vec<bool>,
+    rims: Rims,
     /// Vertices without deformation.
     points: Vec<Vector<D>>,
     pub(crate) around: FacetsAround,
     /// Of the simplices of cells that have a curved face, or a part of its border: what the height adds to the depth.
-    cells: FxHashMap<u32, Vec<Vec<SagTerm>>>,
+    cells: TermsOfCells,
+    /// The same as facets see it that bend outwards, and inwards, where there are rims.
+    by_bend: Option<[TermsOfCells; 2]>,
 }
+
+type TermsOfCells = FxHashMap<u32, Vec<Vec<SagTerm>>>;
 
 /// A quadratic function of the barycentric coordinates of a simplex: values at the corners, and in the middles between two what is above
 /// their mean.
@@ -52,6 +57,13 @@ impl Quadratic {
         (value, slopes)
     }
 
+    /// The function whose value at a place is that of this one at another, given those of the corners.
+    pub(crate) fn mapped(&self, corners: &[[f64; 4]; 4]) -> Self {
+        let middle = |[p, q]: [usize; 2]| std::array::from_fn(|k| 0.5 * (corners[p][k] + corners[q][k]));
+        let at = corners.map(|corner| self.at(&corner).0);
+        Self { at, between: PAIRS.map(|[p, q]| self.at(&middle([p, q])).0 - 0.5 * (at[p] + at[q])) }
+    }
+
     pub(crate) fn is_zero(&self) -> bool {
         *self == Self::default()
     }
@@ -71,12 +83,20 @@ impl<const D: usize> Curves<D> {
         (divisions, division_of): (&Divisions, &[u32]),
         (is_surface, feature_angle): (impl Fn(usize) -> bool, Option<f64>),
     ) -> Option<Self> {
-        let FacetSags { sags: facets, heights } = surface.facet_sags(&is_surface, feature_angle)?;
-        let of_cells = HeightsInCells { surface, cells, facets: &facets, divisions, division_of }.terms(&is_surface);
-        let is_surface: Vec<bool> = (0..surface.facets.len()).map(is_surface).collect();
+        let FacetSags { sags: facets, of_bodies } = surface.facet_sags(&is_surface, feature_angle)?;
         let (points, around) = (surface.points(surface.reference()), FacetsAround::new(surface));
-        let at_rims = at_rims(surface, &facets, &is_surface, &around);
-        Some(Self { facets, heights, is_surface, at_rims, points, around, cells: of_cells })
+        let curvature = |(sag, facet): (&FacetSag<D>, &[u32; D])| sag.curvature(&facet.map(|v| points[v as usize]));
+        let curvatures: Vec<f64> = facets.iter().zip(&surface.facets).map(curvature).collect();
+        let bend = |(facet, &one): (usize, &f64)| Bend::new(one, of_bodies[around.body(facet) as usize].curvature);
+        let bends: Vec<Bend> = curvatures.iter().enumerate().map(bend).collect();
+        let in_cells = HeightsInCells { surface, cells, facets: &facets, bends: &bends, divisions, division_of };
+        let seen_by = |bend| in_cells.terms(&is_surface, bend);
+        let of_cells = seen_by(Bend::None);
+        let told: Vec<bool> = (0..surface.facets.len()).map(&is_surface).collect();
+        let rims = Rims::new(&Facets { surface, points: &points, sags: &facets, is_surface: &told, around: &around });
+        let by_bend = rims.at.contains(&true).then(|| [Bend::Outwards, Bend::Inwards].map(seen_by));
+        let is_surface = told;
+        Some(Self { facets, curvatures, of_bodies, is_surface, rims, points, around, cells: of_cells, by_bend })
     }
 
     /// The height of the surface above a facet.
@@ -86,7 +106,22 @@ impl<const D: usize> Curves<D> {
 
     /// Whether a facet lies along a rim, where the depth has less than its height.
     pub(crate) fn is_at_rim(&self, facet: usize) -> bool {
-        self.at_rims[facet]
+        self.rims.at[facet]
+    }
+
+    /// The number of the smooth face of a facet at a vertex on a rim; `None` where all are one.
+    pub(crate) fn face_at_rim(&self, facet: usize, vertex: u32) -> Option<u32> {
+        self.rims.face(facet, vertex)
+    }
+
+    /// To which side a facet bends, as far as it may conform to a body.
+    pub(crate) fn bend(&self, facet: usize, beside: usize) -> Bend {
+        Bend::new(self.curvatures[facet], self.of_bodies[beside].curvature)
+    }
+
+    /// Whether what faces add to the depth depends on how what sees it bends.
+    pub(crate) fn has_bends(&self) -> bool {
+        self.by_bend.is_some()
     }
 
     /// Whether a facet is surface.
@@ -96,12 +131,12 @@ impl<const D: usize> Curves<D> {
 
     /// The largest height of a body.
     pub(crate) fn height(&self, body: usize) -> f64 {
-        self.heights[body]
+        self.of_bodies[body].height
     }
 
     /// The largest height of all bodies.
     pub(crate) fn largest_height(&self) -> f64 {
-        self.heights.iter().fold(0.0, |most, height| height.max(most))
+        self.of_bodies.iter().fold(0.0, |most, body| body.height.max(most))
     }
 
     /// Corners of a facet without deformation.
@@ -109,10 +144,15 @@ impl<const D: usize> Curves<D> {
         facet.map(|vertex| self.points[vertex as usize])
     }
 
-    /// What the height adds to the depth in a simplex of a cell, given the numbers of its corners.
-    pub(crate) fn in_simplex(&self, cell: u32, simplex: usize, corners: &[u8; 4]) -> Quadratic {
+    /// What the height adds to the depth in a simplex of a cell, given the numbers of its corners, as facets see it that bend so.
+    pub(crate) fn in_simplex(&self, cell: u32, simplex: usize, corners: &[u8; 4], seen_by: Bend) -> Quadratic {
         let mut sum = Quadratic::default();
-        let Some(terms) = self.cells.get(&cell).and_then(|simplices| simplices.get(simplex)) else { return sum };
+        let cells = match (&self.by_bend, seen_by) {
+            (Some([outwards, _]), Bend::Outwards) => outwards,
+            (Some([_, inwards]), Bend::Inwards) => inwards,
+            _ => &self.cells,
+        };
+        let Some(terms) = cells.get(&cell).and_then(|simplices| simplices.get(simplex)) else { return sum };
         let place = |number: u8| corners[..=D].iter().position(|corner| *corner == number);
         for term in terms {
             let [Some(p), Some(q)] = term.corners.map(place) else { continue };

@@ -8,14 +8,15 @@
 //! h = Σ_a h_a (λ_a + λ_m w_a) + 4 Σ_ab h_ab (λ_a + λ_m w_a)(λ_b + λ_m w_b)
 //! ```
 //!
-//! Its values at the corner m and on the edges to it are those of all simplices there, as means, and where facets meet at an edge of the
-//! body, and have other heights there, it is zero: the function has no step anywhere.
+//! Its values at the corner m and on the edges to it are those of all simplices there, as means: the function has no step anywhere. Where
+//! facets meet at an edge of the body, and have other heights there, it depends on the facets that see it. Those that bend the other way than
+//! the curved ones at the edge, a hole the rim of a pin, see the height of these, also on the first row of the face beside them. To all others it
+//! is zero at the edge.
 
 use super::divisions::Divisions;
-use crate::geometry::boundary::facet_sags::{FacetSag, edge_count};
+use crate::geometry::boundary::facet_sags::{Bend, FacetSag, edge_count};
 use crate::geometry::mesh::cells::Cells;
-use crate::geometry::primitives::facet::area_vector;
-use crate::geometry::primitives::facet_slopes::slopes;
+use crate::geometry::primitives::facet_slopes::foot;
 use crate::geometry::{Surface, Vector};
 use rustc_hash::{FxHashMap, FxHashSet};
 
@@ -31,6 +32,8 @@ pub(super) struct HeightsInCells<'a, const D: usize> {
     pub(super) surface: &'a Surface<D>,
     pub(super) cells: &'a Cells,
     pub(super) facets: &'a [FacetSag<D>],
+    /// To which side each bends.
+    pub(super) bends: &'a [Bend],
     pub(super) divisions: &'a Divisions,
     pub(super) division_of: &'a [u32],
 }
@@ -45,24 +48,33 @@ struct Heights {
     count: f64,
     /// That of the first facet there.
     of_facet: Option<f64>,
-    /// Of facets that meet at an edge of the body there is none.
+    /// Of facets that meet at an edge of the body there is none,
     differ: bool,
+    /// but for that of the curved ones that fit those which see it: their sum and count, the least and the largest.
+    of_fitting: Option<([f64; 2], [f64; 2])>,
 }
 
-#[derive(Default)]
+/// Heights of one curved face at its rim differ by no more than this part, of facets that see it along normals of their own.
+const DIFFERS: f64 = 1e-3;
+
 struct Known {
+    seen_by: Bend,
     numbers: FxHashMap<Corner, u32>,
     heights: FxHashMap<[u32; 2], Heights>,
 }
 
 impl<const D: usize> HeightsInCells<'_, D> {
-    /// The terms of every simplex of the cells that have some.
-    pub(super) fn terms(&self, is_surface: &impl Fn(usize) -> bool) -> FxHashMap<u32, Vec<Vec<SagTerm>>> {
+    /// The terms of every simplex of the cells that have some, as facets that bend so see them.
+    pub(super) fn terms(
+        &self,
+        is_surface: &impl Fn(usize) -> bool,
+        seen_by: Bend,
+    ) -> FxHashMap<u32, Vec<Vec<SagTerm>>> {
         let mut of_cell: FxHashMap<u32, Vec<usize>> = FxHashMap::default();
         for facet in (0..self.surface.facets.len()).filter(|&facet| is_surface(facet)) {
             of_cell.entry(self.surface.facet_cell[facet]).or_default().push(facet);
         }
-        let (mut known, mut nodes) = (Known::default(), FxHashSet::default());
+        let (mut known, mut nodes) = (Known::new(seen_by), FxHashSet::default());
         // Sums do not depend on an order that is not ours.
         let mut own: Vec<_> = of_cell.iter().collect();
         own.sort_unstable();
@@ -72,18 +84,21 @@ impl<const D: usize> HeightsInCells<'_, D> {
             for simplex in simplices.iter().filter(|simplex| simplex.is_at_surface) {
                 let Some((facet, of_facet)) = self.face_of(cell, &simplex.corners, facets) else { continue };
                 let numbers = of_facet.map(|corner| known.number(self.corner(cell, corner)));
-                let sag = &self.facets[facet];
-                (0..D).for_each(|k| known.add([numbers[k]; 2], sag.at_corners[k], true));
-                (0..edge_count(D)).for_each(|k| known.add([numbers[k], numbers[(k + 1) % D]], sag.at_edges[k], true));
-                at_surface.push((cell, simplex.corners, of_facet, numbers));
+                let (sag, bend) = (&self.facets[facet], self.bends[facet]);
+                (0..D).for_each(|k| known.add([numbers[k]; 2], sag.at_corners[k], Some(bend)));
+                for k in 0..edge_count(D) {
+                    known.add([numbers[k], numbers[(k + 1) % D]], sag.at_edges[k], Some(bend));
+                }
+                at_surface.push((facet, cell, simplex.corners, of_facet, numbers));
             }
         }
-        for (cell, corners, of_facet, numbers) in at_surface {
+        for (facet, cell, corners, of_facet, numbers) in at_surface {
             let mut sag = FacetSag { at_corners: numbers.map(|number| known.height([number; 2])), ..FacetSag::FLAT };
             for k in 0..edge_count(D) {
                 sag.at_edges[k] = known.height([numbers[k], numbers[(k + 1) % D]]);
             }
-            if !sag.is_flat() {
+            // A flat face beside a rim has a height by that alone, which says nothing of what is below.
+            if !sag.is_flat() && !self.facets[facet].is_flat() {
                 self.add_below(cell, &corners, (&sag, &of_facet, &numbers), &mut known);
                 let all = corners[..=D].iter().flat_map(|&corner| self.corner(cell, corner).1);
                 nodes.extend(all.map(|(node, _)| node));
@@ -121,10 +136,10 @@ impl<const D: usize> HeightsInCells<'_, D> {
         let height = |a: usize, b: usize| edge(a, b).map_or(0.0, |k| sag.at_edges[k]);
         let pairs = (0..D).flat_map(|a| (0..a).map(move |b| (a, b)));
         let products = pairs.map(|(a, b)| w[a] * w[b] * height(a, b)).sum::<f64>();
-        known.add([number; 2], sag.at(&w), false);
+        known.add([number; 2], sag.at(&w), None);
         for a in 0..D {
             let others = (0..D).filter(|&b| b != a).map(|b| w[b] * height(a, b)).sum::<f64>();
-            known.add([numbers[a], number], others - products, false);
+            known.add([numbers[a], number], others - products, None);
         }
     }
 
@@ -186,25 +201,27 @@ impl<const D: usize> HeightsInCells<'_, D> {
     }
 }
 
-/// Barycentric coordinates of the foot of a point on the plane of a facet; `None` where that has no measure.
-fn foot<const D: usize>(corners: &[Vector<D>; D], x: &Vector<D>) -> Option<[f64; D]> {
-    let (_, along) = slopes(corners, &area_vector(corners).try_normalize(0.0)?)?;
-    let from = x - corners[0];
-    Some(std::array::from_fn(|k| along[k].dot(&from) + f64::from(u8::from(k == 0))))
-}
-
 impl Known {
+    fn new(seen_by: Bend) -> Self {
+        Self { seen_by, numbers: FxHashMap::default(), heights: FxHashMap::default() }
+    }
+
     fn number(&mut self, corner: Corner) -> u32 {
         let next = self.numbers.len() as u32;
         *self.numbers.entry(corner).or_insert(next)
     }
 
-    /// Adds a height, of the surface or below it.
-    fn add(&mut self, place: [u32; 2], height: f64, is_surface: bool) {
+    /// Adds a height, of a facet that bends so or below the surface.
+    fn add(&mut self, place: [u32; 2], height: f64, of_facet: Option<Bend>) {
         let [p, q] = place;
         let heights = self.heights.entry([p.min(q), p.max(q)]).or_default();
         // Each with the first: a sum of equal heights may be rounded.
-        heights.differ |= is_surface && *heights.of_facet.get_or_insert(height) != height;
+        heights.differ |= of_facet.is_some() && *heights.of_facet.get_or_insert(height) != height;
+        if of_facet.is_some_and(|bend| bend.fits(self.seen_by)) {
+            let ([sum, count], [least, most]) = heights.of_fitting.get_or_insert(([0.0; 2], [height; 2]));
+            (*sum, *count) = (*sum + height, *count + 1.0);
+            (*least, *most) = (least.min(height), most.max(height));
+        }
         heights.sum += height;
         heights.count += 1.0;
     }
@@ -212,6 +229,11 @@ impl Known {
     fn height(&self, [p, q]: [u32; 2]) -> f64 {
         match self.heights.get(&[p.min(q), p.max(q)]) {
             Some(heights) if !heights.differ => heights.sum / heights.count,
+            Some(Heights { of_fitting: Some(([sum, count], [least, most])), .. })
+                if most - least <= DIFFERS * most.abs().max(least.abs()) =>
+            {
+                sum / count
+            }
             _ => 0.0,
         }
     }

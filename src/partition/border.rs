@@ -4,9 +4,10 @@ use super::mesh_part::MeshPart;
 use super::own_mesh::{OwnMesh, box_of};
 use crate::Error;
 use crate::geometry::Surface;
+use crate::geometry::boundary::facet_sags::MostCurved;
 use crate::geometry::boundary::submesh::{LoneFace, Whole};
 use crate::geometry::primitives::aabb::Aabb;
-use crate::ranks::Ranks;
+use crate::ranks::{Ranks, packed};
 use std::collections::{BTreeMap, BTreeSet};
 
 impl<const D: usize> OwnMesh<D> {
@@ -37,7 +38,7 @@ impl<const D: usize> OwnMesh<D> {
             own.surface.as_mut().map_or(Ok(()), |surface| surface.make_submesh(&own.surface_faces, &own.whole));
         ranks.agree(own_surface, 2)?;
         own.surface_vertices = own.vertices();
-        own.whole.heights = own.heights(ranks)?;
+        own.whole.most_curved = own.most_curved(ranks)?;
         let sizes = ranks.gather_lists(&[own.mean_extent()])?;
         own.cell_size = sizes.into_iter().flatten().fold(0.0, f64::max);
         Ok(own)
@@ -45,20 +46,22 @@ impl<const D: usize> OwnMesh<D> {
 }
 
 impl<const D: usize> OwnMesh<D> {
-    /// How far curved faces lie outside of straight ones, at most, by body of the whole mesh.
-    fn heights(&self, ranks: &Ranks) -> Result<Vec<f64>, Error> {
-        let mut heights = vec![0.0f64; self.body_ids.len()];
+    /// How curved faces are at most, by body of the whole mesh.
+    fn most_curved(&self, ranks: &Ranks) -> Result<Vec<MostCurved>, Error> {
+        let mut bodies = vec![MostCurved::default(); self.body_ids.len()];
         for surface in self.surface.iter() {
-            for (body, height) in surface.largest_heights().into_iter().enumerate() {
-                heights[self.body_of(surface, body)] = height;
+            for (body, most) in surface.most_curved().into_iter().enumerate() {
+                bodies[self.body_of(surface, body)] = most;
             }
         }
-        for of_rank in ranks.gather_lists(&heights)? {
-            heights.iter_mut().zip(of_rank).for_each(|(most, height)| *most = height.max(*most));
+        for of_rank in ranks.gather_lists(&bodies)? {
+            bodies.iter_mut().zip(of_rank).for_each(|(most, here)| *most = most.max(here));
         }
-        Ok(heights)
+        Ok(bodies)
     }
 }
+
+packed!(MostCurved { height, curvature });
 
 /// What is known where the parts of all ranks have been held against one another.
 struct Border<const D: usize> {
@@ -134,7 +137,11 @@ fn find<const D: usize>(own: &OwnMesh<D>, lone: &[LoneFace], ranks: &Ranks) -> R
     let first = |body| of_body(body).map(|(_, is_inner, cell)| (is_inner, cell)).min().map_or(0, |(_, cell)| cell);
     let first_cells = (0..points.len()).map(first).collect();
     let reference_box = boxes.iter().fold(Aabb::empty(), |all, aabb| all.union(aabb));
-    Ok(Border { surface_faces, first_cells, whole: Whole { surface_node_counts, reference_box, heights: Vec::new() } })
+    Ok(Border {
+        surface_faces,
+        first_cells,
+        whole: Whole { surface_node_counts, reference_box, most_curved: Vec::new() },
+    })
 }
 
 /// By rank, the box of the nodes of its faces that have no own cell behind them; those of second order bulge beyond their corners.

@@ -89,7 +89,7 @@ impl<const D: usize> OwnMesh<D> {
             surface_vertices: Vec::new(),
             body_ids: Vec::new(),
             first_cells: Vec::new(),
-            whole: Whole { surface_node_counts: Vec::new(), reference_box: Aabb::empty(), heights: Vec::new() },
+            whole: Whole { surface_node_counts: Vec::new(), reference_box: Aabb::empty(), most_curved: Vec::new() },
             cell_size: 0.0,
             reference: coords.to_vec(),
         })

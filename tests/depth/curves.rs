@@ -10,7 +10,7 @@ use fmc_shapes::{
 use std::f64::consts::TAU;
 
 /// A sector of a ring: the first coordinate, in parts of `angle`, runs around, the second outwards.
-fn sector<const D: usize>(mut mesh: Mesh<D>, angle: f64) -> Mesh<D> {
+pub(crate) fn sector<const D: usize>(mut mesh: Mesh<D>, angle: f64) -> Mesh<D> {
     for x in &mut mesh.coords {
         let (around, radius) = (angle * x[0], x[1]);
         // Against the clock outwards and around is a left-handed pair.
@@ -63,9 +63,10 @@ fn pairs_in_space(overlap: f64) -> Vec<Scene<3>> {
 }
 
 /// In the plane what is summed up is a polynomial between all borders, and the derivatives are exact. In space the depth's levels on
-/// curved facets are taken for straight lines: a quadrature, at whose points the forces are exact, on cells here that each turn by 24°.
+/// curved facets are taken for straight lines: a quadrature, at whose points the forces are exact, on cells here that each turn by 24°. Outside of
+/// the body the depths of two faces that meet at a rim differ there by up to 1.4e-5 of the force; with half the angle it is 1e-8.
 fn check<const D: usize>(scene: &Scene<D>, by: f64) {
-    let within = if D == 2 { [1e-7, 1e-6] } else { [1e-5, 1e-2] };
+    let within = if D == 2 { [1e-7, 1e-6] } else { [2e-5, 1e-2] };
     let contact: Contact<D> = scene.contact(depth(30.0));
     let coords = disturbed(scene, by);
     forces_balance(&contact, &coords);

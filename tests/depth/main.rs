@@ -23,6 +23,7 @@ mod obstacles;
 mod points;
 mod reference;
 mod rigid_meshes;
+mod rims;
 mod round_obstacles;
 mod scans;
 mod seams;

@@ -9,7 +9,7 @@ pub(crate) fn layer<const D: usize>(contact: &Contact<D>) -> f64 {
         return 0.0;
     }
     let height = match &mesh.surface.submesh {
-        Some(submesh) => submesh.heights.iter().fold(0.0, |most: f64, height| height.max(most)),
+        Some(submesh) => submesh.most_curved.iter().fold(0.0, |most: f64, body| body.height.max(most)),
         None => {
             let sharing = contact.work.within_pair(false);
             let field = mesh.depth_field(method.weighting(), &|| sharing.check());

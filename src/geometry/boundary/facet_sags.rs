@@ -47,6 +47,12 @@ impl<const D: usize> FacetSag<D> {
         *self == Self::FLAT
     }
 
+    /// The curvature along the edge of a facet with these corners that bends most: positive outwards.
+    pub(crate) fn curvature(&self, corners: &[Vector<D>; D]) -> f64 {
+        let along = |k: usize| 8.0 * self.at_edges[k] / (corners[(k + 1) % D] - corners[k]).norm_squared();
+        (0..edge_count(D)).map(along).fold(0.0, |most: f64, one| if one.abs() > most.abs() { one } else { most })
+    }
+
     /// No smaller than the height is anywhere, apart from its sign.
     pub(crate) fn largest(&self) -> f64 {
         let largest = |all: &[f64; D]| all.iter().fold(0.0f64, |most, s| most.max(s.abs()));
@@ -54,10 +60,52 @@ impl<const D: usize> FacetSag<D> {
     }
 }
 
+/// To which side a face bends: that of a pin outwards, that of its hole inwards.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Bend {
+    None,
+    Outwards,
+    Inwards,
+}
+
+/// Faces conform where the curvature of one is at least this part of that of the other: that of a flat face is rounding.
+const CONFORMS: f64 = 0.1;
+
+impl Bend {
+    /// Of a face of this curvature, beside others of one as large.
+    pub(crate) fn new(curvature: f64, largest: f64) -> Self {
+        match curvature.abs() >= CONFORMS * largest && curvature != 0.0 {
+            false => Self::None,
+            true if curvature > 0.0 => Self::Outwards,
+            true => Self::Inwards,
+        }
+    }
+
+    pub(crate) const ALL: [Self; 3] = [Self::None, Self::Outwards, Self::Inwards];
+
+    /// Whether faces that bend so may conform.
+    pub(crate) fn fits(self, other: Self) -> bool {
+        matches!((self, other), (Self::Outwards, Self::Inwards) | (Self::Inwards, Self::Outwards))
+    }
+}
+
+/// How high the curved faces of a body are above straight ones, and how far they bend, at most.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct MostCurved {
+    pub(crate) height: f64,
+    pub(crate) curvature: f64,
+}
+
+impl MostCurved {
+    pub(crate) fn max(self, other: Self) -> Self {
+        Self { height: self.height.max(other.height), curvature: self.curvature.max(other.curvature) }
+    }
+}
+
 /// Heights of all facets, and the largest of every body.
 pub(crate) struct FacetSags<const D: usize> {
     pub(crate) sags: Vec<FacetSag<D>>,
-    pub(crate) heights: Vec<f64>,
+    pub(crate) of_bodies: Vec<MostCurved>,
 }
 
 /// How many edges a facet of D corners has.
@@ -75,25 +123,30 @@ impl<const D: usize> Surface<D> {
         feature_angle: Option<f64>,
     ) -> Option<FacetSags<D>> {
         let (mut sags, normals) = self.own_sags(&is_surface, feature_angle);
-        let heights = match &self.submesh {
-            Some(submesh) => submesh.heights.clone(),
-            None => self.largest_of_bodies(&sags),
+        let of_bodies = match &self.submesh {
+            Some(submesh) => submesh.most_curved.clone(),
+            None => self.most_curved_of(&sags),
         };
-        if heights.iter().all(|height| *height == 0.0) {
+        if of_bodies.iter().all(|body| body.height == 0.0) {
             return None;
         }
         self.agree(&mut sags, &normals, is_surface);
-        Some(FacetSags { sags, heights })
+        Some(FacetSags { sags, of_bodies })
     }
 
-    /// The largest height of every body, by itself.
-    pub(crate) fn largest_heights(&self) -> Vec<f64> {
-        self.largest_of_bodies(&self.own_sags(|facet| self.is_surface_facet(facet), None).0)
+    /// How curved the faces of every body are at most, each by itself.
+    pub(crate) fn most_curved(&self) -> Vec<MostCurved> {
+        self.most_curved_of(&self.own_sags(|facet| self.is_surface_facet(facet), None).0)
     }
 
-    fn largest_of_bodies(&self, sags: &[FacetSag<D>]) -> Vec<f64> {
-        let largest = |range: &Range<usize>| sags[range.clone()].iter().fold(0.0, |most, sag| sag.largest().max(most));
-        self.ranges.iter().map(largest).collect()
+    fn most_curved_of(&self, sags: &[FacetSag<D>]) -> Vec<MostCurved> {
+        let points = self.points(self.reference());
+        let of_facet = |facet: usize| {
+            let corners = self.facets[facet].map(|vertex| points[vertex as usize]);
+            MostCurved { height: sags[facet].largest(), curvature: sags[facet].curvature(&corners).abs() }
+        };
+        let of_body = |range: &Range<usize>| range.clone().map(of_facet).fold(MostCurved::default(), MostCurved::max);
+        self.ranges.iter().map(of_body).collect()
     }
 
     /// The heights as every facet has them, and the normals of the facets.

@@ -39,8 +39,7 @@ impl<const D: usize> Surface<D> {
             let rise = |k: usize| {
                 let [i, j] = [corners[k], corners[(k + 1) % corners.len()]];
                 let along = (points[j as usize] - points[i as usize]) * 0.25;
-                let [of_i, of_j] =
-                    [-along.dot(&normal_at(i, number)), along.dot(&normal_at(j, number))];
+                let [of_i, of_j] = [-along.dot(&normal_at(i, number)), along.dot(&normal_at(j, number))];
                 if of_i * of_j > 0.0 { of_i.abs().min(of_j.abs()) } else { 0.0 }
             };
             sags[number] = (0..corners.len()).map(rise).fold(0.0, f64::max);

@@ -4,6 +4,7 @@
 //! missing are those of the whole mesh, and as the faces that close it lie outside of there, nothing that is measured there
 //! depends on them.
 
+use super::facet_sags::MostCurved;
 use crate::Error;
 use crate::geometry::Surface;
 use crate::geometry::primitives::aabb::Aabb;
@@ -31,8 +32,8 @@ pub(crate) struct Submesh<const D: usize> {
     pub(crate) surface_node_counts: Vec<usize>,
     /// Box of all surfaces without deformation.
     pub(crate) reference_box: Aabb<D>,
-    /// Of the whole bodies, how far curved faces lie outside of straight ones, at most.
-    pub(crate) heights: Vec<f64>,
+    /// How curved the faces of the whole bodies are, at most.
+    pub(crate) most_curved: Vec<MostCurved>,
 }
 
 impl<const D: usize> Submesh<D> {
@@ -53,7 +54,7 @@ const HANGING: Error = Error::Unsupported { what: "hanging nodes in a mesh in pa
 pub(crate) struct Whole<const D: usize> {
     pub(crate) surface_node_counts: Vec<usize>,
     pub(crate) reference_box: Aabb<D>,
-    pub(crate) heights: Vec<f64>,
+    pub(crate) most_curved: Vec<MostCurved>,
 }
 
 /// A face of a cell as given that has no cell of its body behind it.
@@ -128,7 +129,7 @@ impl<const D: usize> Surface<D> {
                 what: "cells that meet in a face that one part of the mesh does not have",
             });
         }
-        let Whole { surface_node_counts, reference_box, heights } = whole;
+        let Whole { surface_node_counts, reference_box, most_curved } = whole;
         self.submesh = Some(Box::new(Submesh {
             is_cut,
             cut_faces,
@@ -139,7 +140,7 @@ impl<const D: usize> Surface<D> {
             reach: 0.0,
             surface_node_counts: surface_node_counts.clone(),
             reference_box: *reference_box,
-            heights: heights.clone(),
+            most_curved: most_curved.clone(),
         }));
         Ok(())
     }

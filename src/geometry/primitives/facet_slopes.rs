@@ -3,6 +3,7 @@
 //! With m·(x_b − x_c) = 0, m·d = 1, and h_a·(x_b − x_c) = δ_ab − δ_ac, h_a·d = 0: a line moved by s across d crosses
 //! m·s earlier, at barycentric coordinates that are h_a·s larger.
 
+use super::facet::area_vector;
 use crate::geometry::Vector;
 
 /// m and h_a of a facet with these corners, for lines along `d`; `None` if they run along it.
@@ -41,6 +42,13 @@ pub(crate) fn cross<const D: usize>(p: &Vector<D>, q: &Vector<D>) -> Vector<D> {
         let (j, k) = ((i + 1) % 3, (i + 2) % 3);
         p[j] * q[k] - p[k] * q[j]
     })
+}
+
+/// Barycentric coordinates of the foot of a point on the plane of a facet; `None` where that has no measure.
+pub(crate) fn foot<const D: usize>(corners: &[Vector<D>; D], x: &Vector<D>) -> Option<[f64; D]> {
+    let (_, along) = slopes(corners, &area_vector(corners).try_normalize(0.0)?)?;
+    let from = x - corners[0];
+    Some(std::array::from_fn(|k| along[k].dot(&from) + f64::from(u8::from(k == 0))))
 }
 
 /// Slope across the lines of what is linear on a facet; `None` if lines run along it.

@@ -12,7 +12,7 @@
 //! with J(c) the integral of the depths beyond c over the overlap, and Ψ' = g up to c, from there down to zero at m c: a flat contact has
 //! the pressure k g at every depth g.
 //!
-//! `tent` (Ψ) · `shell` (a body and a layer around it) · `facet_points`, `of_facet` (facets, and how they are
+//! `tent` (Ψ) · `shell`, `layer` (a body and a layer around it) · `facet_points`, `of_facet` (facets, and how they are
 //! divided) · `facet_point`, `point_blocks`, `borders`, `rules` (points on them) · `height_errors` (of coarse faces) ·
 //! `joined` (all together)
 
@@ -21,6 +21,7 @@ mod facet_point;
 mod facet_points;
 mod height_errors;
 mod joined;
+mod layer;
 mod of_facet;
 mod point_blocks;
 mod rules;

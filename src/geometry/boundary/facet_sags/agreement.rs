@@ -11,8 +11,9 @@ impl<const D: usize> Surface<D> {
     pub(super) fn agree(&self, sags: &mut [FacetSag<D>], normals: &[Vector<D>], is_surface: impl Fn(usize) -> bool) {
         // By body: others may share its nodes.
         let mut shared: FxHashMap<(usize, [u32; 2]), Shared<D>> = FxHashMap::default();
-        let of_body =
-            |(body, range): (usize, &Range<usize>)| range.clone().map(move |number| (body, number, &self.facets[number]));
+        let of_body = |(body, range): (usize, &Range<usize>)| {
+            range.clone().map(move |number| (body, number, &self.facets[number]))
+        };
         let all = || self.ranges.iter().enumerate().flat_map(of_body).filter(|(_, number, _)| is_surface(*number));
         let places = |facet: &[u32; D]| {
             let facet = *facet;

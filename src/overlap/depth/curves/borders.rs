@@ -75,8 +75,7 @@ impl<const D: usize> FacetPoints<'_, D> {
         // By the measure now, along which the border moves.
         let before = measure * self.weighting.at(&place(corners, w)) / of_facet.facet.measure;
         let gradient = below_it.gradient(&by_coordinate);
-        let heights = &self.shell.heights[below_it.number];
-        let point = PointSlopes { piece, heights, on_facet: w, in_piece: &at, gradient: &gradient };
+        let point = PointSlopes { piece, heights: below_it.heights, on_facet: w, in_piece: &at, gradient: &gradient };
         let border = by * (HALF * before * pressure * part);
         of_facet.blocks.add(self.cells, &of_facet.facet, &point, (0.0, 0.0), Some(border));
     }

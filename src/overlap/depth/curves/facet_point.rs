@@ -17,7 +17,7 @@ impl<const D: usize> FacetPoints<'_, D> {
     /// Depth of a place of the facet below the other surface, and its derivatives by the coordinates in the piece.
     pub(super) fn depth(&self, sag: &FacetSag<D>, below_it: &Below<D>, w: &[f64; D]) -> (f64, [f64; 4], [f64; 4]) {
         let at = below_it.at(w);
-        let (height, mut slopes) = self.shell.heights[below_it.number].at(&at);
+        let (height, mut slopes) = below_it.heights.at(&at);
         let mut depth = height + sag.at(w);
         for k in 0..=D {
             depth += at[k] * below_it.piece.depths[k];
@@ -27,7 +27,7 @@ impl<const D: usize> FacetPoints<'_, D> {
     }
 
     pub(super) fn is_flat(&self, sag: &FacetSag<D>, below_it: &Below<D>) -> bool {
-        sag.is_flat() && self.shell.heights[below_it.number].is_zero()
+        sag.is_flat() && below_it.heights.is_zero()
     }
 
     /// Adds the points of a quadrature on a simplex of the facet.
@@ -100,8 +100,7 @@ impl<const D: usize> FacetPoints<'_, D> {
             SecondDerivative::Semidefinite => (0.0, HALF * before),
             SecondDerivative::Full => (HALF * before * pressure, HALF * before * slope),
         };
-        let heights = &self.shell.heights[below_it.number];
-        let point = PointSlopes { piece, heights, on_facet: w, in_piece: &at, gradient: &gradient };
+        let point = PointSlopes { piece, heights: below_it.heights, on_facet: w, in_piece: &at, gradient: &gradient };
         of_facet.blocks.add(self.cells, &of_facet.facet, &point, (f, q), None);
     }
 

@@ -29,6 +29,8 @@ pub(super) struct FacetPoints<'a, const D: usize> {
     pub(super) side: &'a FacetSide<'a, D>,
     /// Number of its first facet in the surface.
     pub(super) first: usize,
+    /// The body of the shell.
+    pub(super) beside: usize,
     /// Whether the side is the second of the pair.
     pub(super) of_b: bool,
     pub(super) shell: &'a Shell<D>,
@@ -69,17 +71,19 @@ impl<const D: usize> FacetPoints<'_, D> {
             let Some(facet) = BodyFacet::new(self.surface, self.side, number) else { continue };
             let near = Aabb::of(&facet.corners).inflated(rounding);
             let before = self.curves.corners(&self.side.facets[number as usize]);
+            let bend = self.curves.bend(in_surface, self.beside);
             let mut of_facet = OfFacet::new(facet, self.curves.facet(in_surface), before);
             self.shell.tree.visit(
                 |node| node.meets(&near),
                 |j| {
-                    let (simplex, aabb, number) = self.shell.get(j);
-                    if !aabb.meets(&near) {
+                    let in_shell = self.shell.get(j);
+                    if !in_shell.aabb.meets(&near) {
                         return;
                     }
+                    let simplex = in_shell.simplex;
                     let at = of_facet.facet.corners.each_ref().map(|x| simplex.barycentric(x));
-                    let piece = &self.shell.pieces.pieces[number];
-                    let below = Below::new(piece, number, &of_facet.facet);
+                    let heights = self.shell.heights(&in_shell, bend);
+                    let below = Below::new((in_shell.piece, heights), &of_facet.facet);
                     let (corners, area) = (of_facet.facet.corners, of_facet.facet.area);
                     clip(&corners, &at, &area, simplex, (&mut part, &mut work), |inside| {
                         if let Found::Part(inside, counts) = inside {
@@ -113,7 +117,7 @@ impl<const D: usize> FacetPoints<'_, D> {
         found.deepest = part.iter().map(straight).fold(found.deepest, f64::max);
         if !self.is_flat(of_facet.sag, below_it) {
             for w in part {
-                let heights = [of_facet.sag.at(w), self.shell.heights[below_it.number].at(&below_it.at(w)).0];
+                let heights = [of_facet.sag.at(w), below_it.heights.at(&below_it.at(w)).0];
                 if straight(w) + heights[0] + heights[1] > 0.0 {
                     found.errors.see(heights, below_it.turn);
                 }

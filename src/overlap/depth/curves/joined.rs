@@ -1,6 +1,7 @@
 //! What is shallow, on surfaces, and what is deep, by the overlap.
 
 use super::facet_points::{FacetPoints, PointsFound};
+use super::layer::Layer;
 use super::rules::Rules;
 use super::shell::Shell;
 use super::tent::Tent;
@@ -136,7 +137,15 @@ impl<const D: usize> Joined<'_, D> {
             let own = side.facets_in(&region);
             let pieces =
                 CellPieces::new(pair, self.bodies.cells, self.bodies.field, body, (&own, &region), None, clearance);
-            Shell::new((pieces, self.curves), (side, first[which], &own), &surface.facet_cell, self.layer)
+            let over = Layer {
+                surface,
+                cells: self.bodies.cells,
+                curves: self.curves,
+                side,
+                first: first[which],
+                thickness: self.layer,
+            };
+            Shell::new(pieces, &over, &own)
         };
         let (shell_a, shell_b) = pair.both(|| shell(0), || shell(1));
         let rounding = within.rounding();
@@ -147,6 +156,7 @@ impl<const D: usize> Joined<'_, D> {
                 curves: self.curves,
                 side: sides[which],
                 first: first[which],
+                beside: self.bodies_of[1 - which],
                 of_b: which == 1,
                 shell,
                 tent: self.tent,

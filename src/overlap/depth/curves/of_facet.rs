@@ -1,7 +1,7 @@
 //! A facet of one body, and a piece of the other below it.
 
 use super::point_blocks::PointBlocks;
-use crate::depth_field::DepthPiece;
+use crate::depth_field::{DepthPiece, Quadratic};
 use crate::geometry::Vector;
 use crate::geometry::boundary::facet_sags::FacetSag;
 use crate::geometry::primitives::facet::area_vector;
@@ -26,7 +26,8 @@ pub(super) struct OfFacet<'a, const D: usize> {
 /// A piece of the other body, as a facet sees it.
 pub(super) struct Below<'a, const D: usize> {
     pub(super) piece: &'a DepthPiece<D>,
-    pub(super) number: usize,
+    /// What curved faces add to its depth.
+    pub(super) heights: &'a Quadratic,
     /// Barycentric coordinates of the facet's corners.
     pub(super) barycentric: [[f64; 4]; D],
     /// 1 − cos of the angle between the facet and the straight face below it.
@@ -50,9 +51,9 @@ impl<'a, const D: usize> OfFacet<'a, D> {
 }
 
 impl<'a, const D: usize> Below<'a, D> {
-    pub(super) fn new(piece: &'a DepthPiece<D>, number: usize, facet: &BodyFacet<D>) -> Self {
+    pub(super) fn new((piece, heights): (&'a DepthPiece<D>, &'a Quadratic), facet: &BodyFacet<D>) -> Self {
         let barycentric = facet.corners.each_ref().map(|x| piece.barycentric(x));
-        let mut below = Self { piece, number, barycentric, turn: 1.0 };
+        let mut below = Self { piece, heights, barycentric, turn: 1.0 };
         if let Some(inwards) = below.gradient(&piece.depths).try_normalize(0.0) {
             below.turn = 1.0 - facet.normal.dot(&inwards);
         }
