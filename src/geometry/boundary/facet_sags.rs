@@ -7,7 +7,9 @@ mod curved_faces;
 mod smoothed;
 
 use crate::geometry::primitives::facet::area_vector;
+use crate::geometry::primitives::facet_slopes::slopes;
 use crate::geometry::{Surface, Vector};
+use nalgebra::SMatrix;
 use smoothed::Smoothed;
 use std::ops::Range;
 
@@ -47,10 +49,19 @@ impl<const D: usize> FacetSag<D> {
         *self == Self::FLAT
     }
 
-    /// The curvature along the edge of a facet with these corners that bends most: positive outwards.
+    /// The larger principal curvature over a facet with these corners: positive outwards.
     pub(crate) fn curvature(&self, corners: &[Vector<D>; D]) -> f64 {
-        let along = |k: usize| 8.0 * self.at_edges[k] / (corners[(k + 1) % D] - corners[k]).norm_squared();
-        (0..edge_count(D)).map(along).fold(0.0, |most: f64, one| if one.abs() > most.abs() { one } else { most })
+        let normal = area_vector(corners).try_normalize(0.0);
+        let Some((_, along)) = normal.and_then(|normal| slopes(corners, &normal)) else { return 0.0 };
+        let mut second = SMatrix::<f64, D, D>::zeros();
+        for (k, s) in self.at_edges.iter().enumerate().take(edge_count(D)) {
+            let (p, q) = (along[k], along[(k + 1) % D]);
+            second -= (p * q.transpose() + q * p.transpose()) * (4.0 * s);
+        }
+        // Of the two principal curvatures the sum and, from the squares of both, the difference.
+        let sum = second.trace();
+        let difference = (2.0 * second.norm_squared() - sum * sum).max(0.0).sqrt();
+        0.5 * (sum + difference.copysign(sum))
     }
 
     /// No smaller than the height is anywhere, apart from its sign.
