@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 from fmc_contact import Contact
+from fmc_contact._cells import face_numbers
 from scenes import K
 
 FACES = {
@@ -48,6 +49,22 @@ def test_facets_are_outward_faces_of_their_cells(cell_type, base):
     assert (np.einsum("md,md->m", areas, corner - inside) > 0).all()
     assert np.linalg.norm(areas, axis=1).sum() == pytest.approx(2 * coords.shape[1], rel=1e-14)
     assert (facets.body == 0).all() and (facets.input_facet == -1).all()
+
+
+REFERENCE = {
+    "triangle": SQUARE[:3], "quad": SQUARE, "tetra": CUBE[[0, 1, 2, 6]], "hexahedron": CUBE, "wedge": CUBE[[0, 1, 2, 4, 5, 6]],
+    "pyramid": np.vstack([CUBE[:4], [[0.5, 0.5, 1.0]]]),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("cell_type", REFERENCE)
+def test_faces_are_numbered_by_their_corners(cell_type):
+    coords = REFERENCE[cell_type]
+    facets = Contact(coords, [np.arange(len(coords))], cell_type, stiffness=K).mesh.boundary_facets()
+    is_corner = (facets.nodes[:, :, None] == np.arange(len(coords))).any(axis=1)
+    np.testing.assert_array_equal(face_numbers(cell_type, is_corner), facets.local_face)
+    with pytest.raises(ValueError, match="face 1 is no face"):
+        face_numbers(cell_type, np.stack([is_corner[0], np.ones(len(coords), bool)]))
 
 
 def test_bodies_come_in_the_order_of_results(squares):

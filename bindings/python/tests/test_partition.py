@@ -96,6 +96,8 @@ def test_errors_are_told_on_all_ranks():
             contact.evaluate(contact.coords)
         with pytest.raises(fmc_contact.errors.UnsupportedError):
             contact.mesh.set_reference(contact.coords)
+        with pytest.raises(fmc_contact.errors.UnsupportedError, match="own nodes"):
+            contact.mesh.set_symmetry_facets([0], contact.coords)
         with pytest.raises(fmc_contact.errors.UnsupportedError):
             contact.friction.begin_step(contact.coords + 1e-9)
         return type(caught.value)

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+import numpy as np
+
 from . import _constants as c
 
 _FAMILIES = {
@@ -38,3 +40,19 @@ CELL_DIMENSION = {name: dim for name, (_, _, dim) in _CELLS.items()}
 FACET_TYPES = {name: number for name, (number, _, _) in _FACETS.items()}
 FACET_NODES = {name: nodes for name, (_, nodes, _) in _FACETS.items()}
 FACET_DIMENSION = {name: dim for name, (_, _, dim) in _FACETS.items()}
+
+_FACES = {
+    "triangle": "01 12 20", "quad": "01 12 23 30", "tetra": "013 123 203 021", "hexahedron": "0473 1265 0154 3762 0321 4567",
+    "wedge": "012 354 0341 1452 2530", "pyramid": "0321 014 124 234 304",
+}  # fmt: skip
+"""Corners of the faces of cells, as ``BoundaryFacets.local_face`` counts them."""
+
+
+def face_numbers(cell_type: str, is_corner: np.ndarray) -> np.ndarray:
+    """Numbers of faces in cells of a type without middle nodes, by which of a cell's corners are theirs: (faces, corners) of bool."""
+    faces = [np.isin(np.arange(is_corner.shape[1]), list(map(int, corners))) for corners in _FACES[cell_type].split()]
+    same = (is_corner[:, None] == np.array(faces)).all(axis=2)
+    if not same.any(axis=1).all():
+        raise ValueError(f"face {int(np.argmin(same.any(axis=1)))} is no face of a {cell_type}")
+    numbers: np.ndarray = np.argmax(same, axis=1)
+    return numbers

@@ -5,11 +5,13 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from ._arrays import written
 from ._handle import Handle
 from ._library import library
 from ._structs import fmc_boundary_facet
+from .errors import BadValueError
 
 
 @dataclass(frozen=True, eq=False)
@@ -64,3 +66,44 @@ def boundary_facets(handle: Handle, dim: int) -> BoundaryFacets:
         facets["body"].astype(np.int64),
         facets["input_facet"].copy(),
     )
+
+
+def rows_of_facets(facets: ArrayLike, count: int) -> np.ndarray:
+    """Numbers of facets that were named by these, or by one bool for each of the ``count`` facets."""
+    places = np.asarray(facets)
+    if places.dtype == bool:
+        if places.shape != (count,):
+            raise ValueError(f"'facets' has marks of shape {places.shape}, and there are {count} boundary facets")
+        places = np.flatnonzero(places)
+    if places.ndim != 1 or not (places.size == 0 or np.issubdtype(places.dtype, np.integer)):
+        raise TypeError("'facets' must be a list of integers, or of bools")
+    if places.size and places.min() < 0:
+        entry = int(places.argmin())
+        raise BadValueError(f"entry {entry} of 'facets' is {places[entry]}, a negative number")
+    if places.size and places.max() >= count:
+        entry = int(places.argmax())
+        raise BadValueError(f"entry {entry} of 'facets' is {places[entry]}, and there are {count} boundary facets")
+    return places.astype(np.int64)
+
+
+def nodes_of(facets: BoundaryFacets, node_count: int, base: int) -> np.ndarray:
+    """The nodes of facets, counted from 0; -1 for none, and for points that are no nodes."""
+    from_zero = facets.nodes - base
+    return np.where((facets.nodes >= 0) & (from_zero < node_count), from_zero, -1)
+
+
+def corners_of(facets: BoundaryFacets, points: np.ndarray, base: int) -> np.ndarray:
+    """Corners of facets, (m, dim, dim), where points are at ``points``."""
+    at: np.ndarray = points[np.maximum(facets.nodes - base, 0)]
+    if points.shape[1] == 2:
+        return at
+    is_triangle = facets.nodes[:, 3] < 0
+    last = np.where(is_triangle[:, None], at[:, 2], at.mean(axis=1))
+    return np.stack([at[:, 0], at[:, 1], last], axis=1)
+
+
+def facets_on(facets: BoundaryFacets, cells: np.ndarray, faces: np.ndarray) -> np.ndarray:
+    """Which facets lie on faces that are named by their cells, counted as in ``facets``, and by their numbers in these."""
+    width = 1 + max(int(each.max(initial=0)) for each in (facets.local_face, faces))
+    found: np.ndarray = np.isin(facets.cell * width + facets.local_face, np.asarray(cells, np.int64) * width + faces)
+    return found

@@ -11,13 +11,13 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import basis
-from ._arrays import coords_view, finite, floats, numbers, shape_error
+from ._arrays import View, coords_view, finite, floats, numbers, shape_error
 from ._core import Core
 from ._library import library
 from ._structs import fmc_adjustment
-from .boundary import BoundaryFacets, boundary_facets
-from .errors import BadValueError
+from .boundary import BoundaryFacets, boundary_facets, corners_of, nodes_of, rows_of_facets
 from .points import PointWeights, point_weights
+from .symmetry import symmetry_of
 
 
 @dataclass(frozen=True)
@@ -58,6 +58,8 @@ class Mesh:
 
     def __init__(self, core: Core) -> None:
         self._core = core
+        self._named: Optional[tuple[np.ndarray, np.ndarray]] = None
+        """Which facets ``set_symmetry_facets`` named, and the undeformed coordinates there."""
 
     @property
     def welded_node_count(self) -> int:
@@ -225,7 +227,8 @@ class Mesh:
     def set_reference(self, coords: ArrayLike) -> None:
         """Sets the undeformed coordinates, from which the law ``"depth"`` measures its depths.
 
-        The default is the coordinates with which the contact was made.
+        The default is the coordinates with which the contact was made. Planes of symmetry stay where ``set_symmetry_planes`` has set them; those of
+        ``set_symmetry_facets`` and ``set_symmetry_nodes`` are found again.
 
         Parameters
         ----------
@@ -236,6 +239,8 @@ class Mesh:
         ------
         FmcError
             As ``Contact.evaluate`` raises.
+        ValueError
+            As ``set_symmetry_facets`` raises, for the facets that it named.
 
         Examples
         --------
@@ -244,6 +249,14 @@ class Mesh:
         view = coords_view(coords, self._core.dim)
         with self._core.handle:
             self._core.handle.call(library.fmc_context_set_reference, byref(view.struct))
+            if self._named is None:
+                return
+            is_named, before = self._named
+            try:
+                self._name(is_named, _rows(view, self._core.dim))
+            except Exception:
+                self._core.handle.call(library.fmc_context_set_reference, byref(coords_view(before, self._core.dim).struct))
+                raise
 
     def set_symmetry_planes(self, planes: Iterable[tuple[ArrayLike, ArrayLike]]) -> None:
         """Sets planes of symmetry, and replaces earlier ones.
@@ -275,6 +288,7 @@ class Mesh:
         points, normals = np.concatenate([np.empty(0), *rows[::2]]), np.concatenate([np.empty(0), *rows[1::2]])
         with self._core.handle:
             self._core.handle.call(library.fmc_context_set_symmetry_planes, points, normals, len(given))
+            self._named = None
 
     def set_surface_smoothing(self, feature_angle: float) -> None:
         """Measures straight faces as the round surfaces that they represent.
@@ -332,21 +346,12 @@ class Mesh:
         >>> contact.mesh.add_surface([1, 2])
         1
         """
-        places = np.asarray(facets)
-        if places.dtype == bool:
-            count = len(self.boundary_facets().body)
-            if places.shape != (count,):
-                raise ValueError(f"'facets' has marks of shape {places.shape}, and there are {count} boundary facets")
-            places = np.flatnonzero(places)
-        if places.ndim != 1 or not (places.size == 0 or np.issubdtype(places.dtype, np.integer)):
-            raise TypeError("'facets' must be a list of integers, or of bools")
-        if places.size and places.min() < 0:
-            entry = int(places.argmin())
-            raise BadValueError(f"entry {entry} of 'facets' is {places[entry]}, a negative number")
-        named, surface = places.astype(np.uintp), np.zeros(1, np.int32)
-        pointer = named.ctypes.data_as(POINTER(c_size_t))
-        with self._core.handle:
-            self._core.handle.call(library.fmc_context_add_surface, pointer, len(named), surface)
+        core = self._core
+        with core.handle:
+            places = rows_of_facets(facets, core.facet_count)
+            named, surface = places.astype(np.uintp), np.zeros(1, np.int32)
+            pointer = named.ctypes.data_as(POINTER(c_size_t))
+            core.handle.call(library.fmc_context_add_surface, pointer, len(named), surface)
         return int(surface[0])
 
     def set_symmetry_nodes(self, nodes: ArrayLike) -> None:
@@ -376,3 +381,62 @@ class Mesh:
         named = numbers(nodes, "nodes", None, self._core.handle.index)
         with self._core.handle:
             self._core.handle.call(library.fmc_context_set_symmetry_nodes, named, len(named))
+            self._named = None
+
+    def set_symmetry_facets(self, facets: ArrayLike, coords: ArrayLike) -> None:
+        """Names the boundary facets that lie in planes of symmetry, and replaces earlier planes.
+
+        The planes in which these facets lie are set, as by ``set_symmetry_planes``. If other facets lie in them too, as at a crack beside a ligament,
+        the nodes of the named facets are set, as by ``set_symmetry_nodes``. ``set_reference`` finds the planes again. Unlike nodes, facets are
+        enough in a slice one cell thick, all of whose nodes lie in the two planes of the slice.
+
+        Parameters
+        ----------
+        facets : array_like of int or bool, (m,)
+            Rows of ``boundary_facets``, always counted from 0, or one bool for each row. Name all four facets of a quadrilateral face, and all
+            parts of a face of second order.
+        coords : array_like, (n, dim) or (dim, n)
+            Undeformed coordinates of all nodes: those with which the contact was made, or those of the last ``set_reference``.
+
+        Raises
+        ------
+        TypeError
+            If the numbers are no integers.
+        ValueError
+            If there is not one mark for every facet, for facets of a curved surface, and if other facets lie in these planes and nodes cannot tell
+            which are named.
+        BadValueError
+            If there is no such facet.
+        UnsupportedError
+            If a body would have no surface left, and for a mesh in parts.
+
+        Examples
+        --------
+        >>> contact.mesh.set_symmetry_facets([3], coords)
+        """
+        view = coords_view(coords, self._core.dim)
+        with self._core.handle:
+            is_named = np.zeros(self._core.facet_count, bool)
+            is_named[rows_of_facets(facets, len(is_named))] = True
+            self._name(is_named, _rows(view, self._core.dim))
+
+    def _name(self, is_named: np.ndarray, coords: np.ndarray) -> None:
+        """Sets the planes of named facets, or their nodes."""
+        core, base = self._core, self._core.options.index_base
+        if len(coords) != core.unknown_count:
+            raise shape_error("coords", coords.shape, f"({core.unknown_count}, {core.dim})")
+        points = point_weights(core.handle, core.unknown_count, base).to_points(coords)
+        facets = boundary_facets(core.handle, core.dim)
+        planes, nodes = symmetry_of(corners_of(facets, points, base), nodes_of(facets, core.node_count, base), is_named)
+        if nodes is None:
+            at = [np.concatenate([np.empty(0), *parts]) for parts in zip(*planes)] or [np.empty(0)] * 2
+            core.handle.call(library.fmc_context_set_symmetry_planes, *at, len(planes))
+        else:
+            named = (nodes + base).astype(core.handle.index)
+            core.handle.call(library.fmc_context_set_symmetry_nodes, named, len(named))
+        self._named = is_named, coords
+
+
+def _rows(view: View, dim: int) -> np.ndarray:
+    """A copy of coordinates, (nodes, dim)."""
+    return np.array(view.array.T if view.is_columns else view.array[:, :dim])

@@ -17,7 +17,9 @@ from ._library import check, library
 from ._structs import fmc_carried_slip, fmc_cell_block, fmc_gathered_counts, fmc_mesh_part, fmc_options
 from ._unpack import Unpack
 from .contact import Contact
+from .errors import UnsupportedError
 from .friction import FrictionSteps
+from .mesh import Mesh
 from .options import OtherOptions, changed, defaults
 from .ranks import Communicator, described
 
@@ -107,6 +109,34 @@ class PartitionedFriction(FrictionSteps):
         rows = structured(carried, CARRIED_SLIP, "carried_slip")
         with self._core.handle:
             self._core.handle.call(library.fmc_context_set_carried_slip, _slips(rows), len(rows))
+
+
+class PartitionedMesh(Mesh):
+    """The mesh of a contact in parts, whose facets have other numbers whenever other cells are gathered.
+
+    Examples
+    --------
+    >>> partitioned.mesh.set_symmetry_planes([((0.0, 0.0), (1.0, 0.0))])
+    """
+
+    def set_symmetry_facets(self, facets: ArrayLike, coords: ArrayLike) -> None:
+        """Raises ``UnsupportedError``: set planes, the same on all ranks, or name own nodes.
+
+        Parameters
+        ----------
+        facets, coords : array_like
+            As for ``Mesh.set_symmetry_facets``.
+
+        Raises
+        ------
+        UnsupportedError
+            Always.
+
+        Examples
+        --------
+        >>> partitioned.mesh.set_symmetry_planes([])
+        """
+        raise UnsupportedError("facets in planes of symmetry of a mesh in parts: set the planes, the same on all ranks, or name own nodes")
 
 
 class PartitionedContact(Contact):
@@ -322,7 +352,7 @@ class PartitionedContact(Contact):
 
     def _take(self, start: creation.Start, options: fmc_options) -> None:
         super()._take(start, options)
-        self.friction = PartitionedFriction(self._core)
+        self.mesh, self.friction = PartitionedMesh(self._core), PartitionedFriction(self._core)
 
     def _read_nodes(self) -> None:
         count, base = self.node_count, self._core.options.index_base
