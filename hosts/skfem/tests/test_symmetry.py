@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+import skfem
 from fmc_contact_skfem import SkfemContact
 from scenes import blocks, displacement, joined
 from skfem import Basis, ElementHex1, ElementQuad1, ElementQuadP, ElementTriP3, ElementVector, MeshHex, MeshQuad
@@ -54,6 +55,7 @@ def quarter(start, end, facets):
     lies = {name: lambda x, axis=axis, at=at: np.isclose(x[axis], at) for name, axis, at in
             (("x", 0, 0.0), ("y", 1, 0.0), ("low", 2, 0.0), ("high", 2, 0.1))}  # fmt: skip
     lies["both"] = lambda x: lies["low"](x) | lies["high"](x)
+    lies["all"] = lambda x: lies["x"](x) | lies["y"](x) | lies["both"](x)
     return Basis(mesh.with_boundaries(lies), ElementVector(ElementHex1()))
 
 
@@ -68,11 +70,59 @@ def test_a_slice_one_cell_thick():
     expected = contact.force(u)
     contact.set_symmetry_boundaries("x", "y", "low", "high")
     assert np.array_equal(contact.force(u), expected)
-    # One name for both ends of a slice without cuts: their nodes are the same in either way.
-    contact.set_symmetry_boundaries("low", "high")
+    # Of one name for both ends, or for all planes, every plane counts.
+    for names in (("both", "x", "y"), ("all",)):
+        contact.set_symmetry_boundaries()
+        assert not np.array_equal(contact.force(u), expected)
+        contact.set_symmetry_boundaries(*names)
+        assert np.array_equal(contact.force(u), expected)
+
+
+@pytest.mark.skipif(not hasattr(skfem, "MeshWedge1"), reason="wedges came with scikit-fem 8")
+def test_a_slice_of_wedges():
+    flat = skfem.MeshTri.init_tensor(np.linspace(0.0, 1.0, 4), np.linspace(0.0, 0.5, 3))
+    bases = []
+    for width, low in ((1.0, -0.5), (0.7, -0.01)):
+        ends = [np.stack([flat.p[0] * width, flat.p[1] + low, np.full(flat.nvertices, z)]) for z in (0.0, 0.2)]
+        mesh = skfem.MeshWedge1(np.hstack(ends), np.vstack([flat.t, flat.t + flat.nvertices]))
+        named = mesh.with_boundaries({"cut": lambda x: np.isclose(x[0], 0.0) | np.isclose(abs(x[2] - 0.1), 0.1)})
+        bases.append(Basis(named, ElementVector(skfem.ElementWedge1())))
+    contact = SkfemContact([(bases[0], 0), (bases[1], bases[0].N)], stiffness=1e4)
+    u = np.zeros(contact.size)
+    forces = [contact.force(u)]
+    contact.contact.mesh.set_symmetry_planes([(np.zeros(3), axis) for axis in np.eye(3)[[0, 2]]] + [((0, 0, 0.2), (0, 0, 1))])
+    forces.append(contact.force(u))
+    contact.set_symmetry_boundaries("cut")
+    forces.append(contact.force(u))
+    assert np.abs(forces[1] - forces[0]).max() > 1e-3 * np.abs(forces[1]).max()
+    assert np.array_equal(forces[1], forces[2])
+
+
+def test_faces_of_collapsed_cells():
+    """Quadrilaterals with a corner twice: triangles, whose faces are counted as those of quadrilaterals."""
+    p = np.array([[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [1.0, 1.0]]).T
+    upper = MeshQuad(p + [[0.0], [0.98]], np.array([[0, 1, 2, 2], [3, 2, 2, 1]]).T).with_boundaries({"wall": lambda x: np.isclose(x[0], 0.0)})
+    lower = MeshQuad().with_boundaries({"wall": lambda x: np.isclose(x[0], 0.0)})
+    bases = [Basis(mesh, ElementVector(ElementQuad1())) for mesh in (lower, upper)]
+    contact = SkfemContact(joined(bases), stiffness=1e4)
+    u = np.zeros(contact.size)
+    contact.contact.mesh.set_symmetry_planes([((0.0, 0.0), (1.0, 0.0))])
     expected = contact.force(u)
-    contact.set_symmetry_boundaries("both")
+    contact.set_symmetry_boundaries()
+    assert not np.array_equal(contact.force(u), expected)
+    contact.set_symmetry_boundaries("wall")
     assert np.array_equal(contact.force(u), expected)
+
+
+def test_planes_are_those_of_the_boundary_at_another_reference():
+    bases = list(named(blocks("Q1 3D")))
+    u = displacement(bases, bulge=0.0)
+    contact = SkfemContact(joined(bases), stiffness=1e4)
+    contact.set_symmetry_boundaries("foot", "wall")
+    expected, x = contact.force(u), contact.coords(np.zeros(contact.size))
+    # Depths are the same where all of it has been elsewhere.
+    contact.contact.mesh.set_reference(x + [1.0, 0.0, 0.0])
+    assert np.abs(contact.force(u) - expected).max() < 1e-12 * np.abs(expected).max()
 
 
 def test_a_crack_beside_a_ligament():

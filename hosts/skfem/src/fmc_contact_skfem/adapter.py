@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 from fmc_contact import Contact, GapConstraints, NodalContact, Result
+from fmc_contact.boundary import facets_on
 from fmc_contact.smoothing import SmoothesSurfaces
 from numpy.typing import ArrayLike
 from scipy.sparse import block_diag, csr_matrix, hstack, identity
@@ -14,7 +15,6 @@ from skfem import CellBasis
 
 from .bases import fields_of, size_of
 from .field import Field
-from .symmetry import planes_of
 
 
 class SkfemContact(SmoothesSurfaces):
@@ -305,9 +305,7 @@ class SkfemContact(SmoothesSurfaces):
     def set_symmetry_boundaries(self, *names: str) -> None:
         """Names the boundaries that lie in planes of symmetry.
 
-        If every boundary lies in one plane on each mesh, and no other facets lie in these planes, they are set as by ``Mesh.set_symmetry_planes``,
-        otherwise the nodes of all as by ``Mesh.set_symmetry_nodes``. In a slice one cell thick, give every plane its own name: all nodes lie in
-        the planes of the slice.
+        See ``Mesh.set_symmetry_facets``, which is told of all facets of these boundaries. A boundary may have several planes.
 
         Parameters
         ----------
@@ -317,7 +315,9 @@ class SkfemContact(SmoothesSurfaces):
         Raises
         ------
         ValueError
-            If no mesh has a boundary of such a name.
+            If no mesh has a boundary of such a name, and as ``Mesh.set_symmetry_facets`` raises.
+        UnsupportedError
+            If a body would have no surface left.
 
         Examples
         --------
@@ -327,13 +327,15 @@ class SkfemContact(SmoothesSurfaces):
         for name in names:
             if name not in known:
                 raise ValueError(f"no mesh has a boundary {name!r}; there are {sorted(known)}")
-        planes = planes_of(names, [one.basis.mesh for one in self._fields])
-        if planes is not None:
-            self.contact.mesh.set_symmetry_planes(planes)
-            return
-        firsts = np.cumsum([0] + [len(one.coords) for one in self._fields])
-        nodes = [one.nodes_on(name) + first for name in names for one, first in zip(self._fields, firsts)]
-        self.contact.mesh.set_symmetry_nodes(np.unique(np.concatenate([np.empty(0, np.int64), *nodes])))
+        first, cells, faces = 0, [np.empty(0, np.int64)], [np.empty(0, np.int64)]
+        for one in self._fields:
+            of_cells, numbers = one.faces_on(names)
+            cells.append(of_cells + first)
+            faces.append(numbers)
+            first += len(one.conn)
+        mesh = self.contact.mesh
+        is_named = facets_on(mesh.boundary_facets(), np.concatenate(cells), np.concatenate(faces))
+        mesh.set_symmetry_facets(is_named, self.coords(np.zeros(self.size)))
 
     def begin_step(self, u: np.ndarray) -> None:
         """Begins a step with friction. See ``FrictionSteps.begin_step``.

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
 import skfem
+from fmc_contact._cells import face_numbers
 from fmc_contact.second_order import MIDDLES, of_nodes
 from scipy.sparse import csr_matrix
 from skfem import CellBasis, ElementVector
@@ -58,17 +60,17 @@ class Field(NamedTuple):
     """One more than the last degree of freedom in the vectors of the whole problem."""
     matrix: csr_matrix | None = None
     """From unknowns to nodes, where unknowns are not the nodes."""
-    carrier: Field | None = None
-    """The field whose unknowns are the nodes, where those of this one are not."""
 
-    def nodes_on(self, boundary: str) -> np.ndarray:
-        """Numbers of the nodes on a named boundary of the mesh, ascending; none where the mesh has no such name."""
-        if self.carrier is not None:
-            return self.carrier.nodes_on(boundary)
-        if boundary not in (self.basis.mesh.boundaries or {}):
-            return np.empty(0, np.int64)
-        first = self.dofs[:, 0] - (self.reach - self.basis.N)
-        return np.flatnonzero(np.isin(first, self.basis.get_dofs(boundary).all()))
+    def faces_on(self, boundaries: Sequence[str]) -> tuple[np.ndarray, np.ndarray]:
+        """Faces on named boundaries of the mesh: their cells, and their numbers in these as ``BoundaryFacets`` counts them."""
+        mesh = self.basis.mesh
+        known = mesh.boundaries or {}
+        facets = np.concatenate([np.empty(0, np.int64), *(known[name] for name in boundaries if name in known)])
+        straight, _ = cells_of(mesh)
+        order = next(order for _, name, order in _CELLS if name == straight)
+        numbers = face_numbers(straight, np.array([np.isin(order, corners) for corners in mesh.elem.refdom.facets]))
+        cells = mesh.f2t[0, facets]
+        return cells, numbers[np.argmax(mesh.t2f[:, cells] == facets, axis=0)]
 
 
 def cells_of(mesh: skfem.Mesh) -> tuple[str, np.ndarray]:
@@ -133,7 +135,7 @@ def _other(basis: CellBasis, straight: str, offset: int) -> Field:
     order = next(order for _, name, order in _CELLS if name == straight)
     corners = basis.elem.elem.refdom.p.T[order]
     matrix, dofs = from_unknowns(basis, nodes.cell_type, corners, nodes.conn)
-    return Field(basis, nodes.cell_type, nodes.conn, dofs + offset, nodes.coords, basis.N + offset, matrix, nodes)
+    return Field(basis, nodes.cell_type, nodes.conn, dofs + offset, nodes.coords, basis.N + offset, matrix)
 
 
 def _second_order(basis: CellBasis, straight: str) -> tuple[str, np.ndarray, np.ndarray]:
