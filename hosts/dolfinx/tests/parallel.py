@@ -11,7 +11,7 @@ from fmc_contact_dolfinx.entries import add_entries
 from fmc_contact_dolfinx.on_ranks import direct_solver
 from fmc_contact_dolfinx.versions import create_vector, mesh_from_cells, vector_of, vector_space
 from petsc4py import PETSc
-from scenes import COMM, block, blocks, bodies, interpolate, permuted, set_wave
+from scenes import COMM, block, blocks, bodies, cracked, interpolate, permuted, set_wave, sliced, tagged
 
 
 def elastic(u, v, young=200.0, poisson=0.3):
@@ -235,6 +235,55 @@ def tell(out, *cases):
         np.savez(out, **found)
 
 
+def cut(out, in_parts=""):
+    """Forces where planes of symmetry are named by tags, by themselves, and not at all; and where a crack lies beside a ligament."""
+    shown = {"in_parts": {"parts": True, "whole": False}[in_parts]} if in_parts else {}
+    found = {}
+    for kind, order in (("quad", 1), ("tetra", 1), ("hexahedron", 1), ("hexahedron", 2), ("triangle", 2)):
+        x, cells, _ = permuted(*sliced(kind))
+        space = vector_space(mesh_from_cells(COMM, x, cells, kind), order)
+        places = {"wall": lambda x: np.isclose(x[0], 0.0), "low": lambda x: np.isclose(x[2], 0.0), "high": lambda x: np.isclose(x[2], 0.3)}
+        if x.shape[1] == 2:
+            places = {"wall": places["wall"]}
+        tags, u = tagged(space.mesh, **places), fem.Function(space)
+        contact = DolfinxContact(space, stiffness=1e4, **shown)
+        axes = np.eye(x.shape[1])
+        planes = [(0.0 * axes[0], axes[0]), *([(0.0 * axes[2], axes[2]), (0.3 * axes[2], axes[2])] if len(axes) > 2 else [])]
+        for name, tell in (
+            ("none", lambda: contact.set_symmetry_boundaries(tags)),
+            ("planes", lambda: contact.contact.mesh.set_symmetry_planes(planes)),
+            ("tags", lambda: contact.set_symmetry_boundaries(tags, *range(1, 1 + len(places)))),
+        ):
+            tell()
+            found[f"{kind}-{order}/{name}"] = _by_input_number(contact, u)
+    x, cells, _ = permuted(*cracked())
+    for order in (1, 2):
+        space = vector_space(mesh_from_cells(COMM, x, cells, "quad"), order)
+        below = lambda x: np.isclose(x[1], 0.0)
+        tags = tagged(space.mesh, ligament=lambda x: below(x) & (x[0] > 0.37), crack=lambda x: below(x) & (x[0] < 0.38))
+        contact, u = DolfinxContact(space, stiffness=1e4, **shown), fem.Function(space)
+        for name, values in (("none", ()), ("ligament", (1,)), ("both", (1, 2))):
+            contact.set_symmetry_boundaries(tags, *values)
+            found[f"crack-{order}/{name}"] = _by_input_number(contact, u)
+        # Of a ligament in two parts that leave one facet between them, nodes would name this too, if it has no middle: no rank goes on alone.
+        tags, told = tagged(space.mesh, right=lambda x: below(x) & (x[0] > 0.37), left=lambda x: below(x) & (x[0] < 0.3)), ""
+        try:
+            contact.set_symmetry_boundaries(tags, 1, 2)
+        except ValueError as error:
+            told = str(error)
+        assert ("leave out 0 of them, and name 1 others" in told) == (order == 1), told
+        found[f"crack-{order}/gap"] = _by_input_number(contact, u)
+    if COMM.rank == 0:
+        np.savez(out, **found)
+
+
+def _by_input_number(contact, u):
+    force = fem.Function(u.function_space)
+    contact.add_forces(force.x.array, contact.evaluate(u))
+    force.x.scatter_forward()
+    return by_input_number(force)
+
+
 def near():
     """A small block on a large one; each rank tells what it has of the mesh, and what that took."""
     x, cells = block("hexahedron", 40, [0.0] * 3, [1.0, 1.0, 0.9])
@@ -282,5 +331,5 @@ def entries():
 if __name__ == "__main__":
     from failures import fail, fail_later
 
-    programs = solve, tell, near, entries, two_meshes, two_spaces, fail, fail_later
+    programs = solve, tell, cut, near, entries, two_meshes, two_spaces, fail, fail_later
     {program.__name__: program for program in programs}[sys.argv[1]](*sys.argv[2:])

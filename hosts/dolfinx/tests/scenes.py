@@ -1,6 +1,7 @@
 """Two blocks one on the other, of meshes that do not match."""
 
 import numpy as np
+from dolfinx.mesh import locate_entities_boundary, meshtags
 from fmc_contact_dolfinx import set_by_input_number
 from fmc_contact_dolfinx.space import Displacement
 from fmc_contact_dolfinx.surface import whole
@@ -12,12 +13,13 @@ NAMES = {"triangle": 2, "quad": 2, "tetra": 3, "hexahedron": 3}
 
 
 def block(kind, count, low, high):
-    """Nodes, (n, dim), and cells in VTK's order of a block."""
+    """Nodes, (n, dim), and cells in VTK's order of a block, of so many cells along every axis, or along each."""
     dim = NAMES[kind]
-    ticks = [np.linspace(low[a], high[a], count + 1) for a in range(dim)]
+    counts = np.broadcast_to(count, dim)
+    ticks = [np.linspace(low[a], high[a], counts[a] + 1) for a in range(dim)]
     x = np.stack(np.meshgrid(*ticks, indexing="ij"), axis=-1).reshape(-1, dim)
-    number = np.arange(len(x)).reshape([count + 1] * dim)
-    at = lambda *s: number[tuple(slice(k, k + count) for k in s)].ravel()
+    number = np.arange(len(x)).reshape(counts + 1)
+    at = lambda *s: number[tuple(slice(k, k + n) for k, n in zip(s, counts))].ravel()
     if dim == 2:
         cells = np.stack([at(0, 0), at(1, 0), at(1, 1), at(0, 1)], axis=1)
         if kind == "triangle":
@@ -39,6 +41,32 @@ def blocks(kind, lower=3, upper=2):
     y, more = block(kind, upper, [0.1] * (dim - 1) + [0.98], [0.9] * (dim - 1) + [1.98])
     y[:, -1] += 0.4 * ((y[:, :-1] - 0.47) ** 2).sum(axis=1) * (1.98 - y[:, -1])
     return np.concatenate([x, y]), np.concatenate([cells, more + len(x)])
+
+
+def sliced(kind):
+    """Two blocks one on the other that end at x = 0; in 3D a slice one cell thick, so that all nodes lie in its ends."""
+    dim = NAMES[kind]
+    thick = 0.0, 0.3
+    x, cells = block(kind, (8, 3, 1)[:dim], (0.0, -1.0, thick[0]), (1.0, 0.0, thick[1]))
+    y, more = block(kind, (5, 3, 1)[:dim], (0.0, -0.02, thick[0]), (0.6, 0.9, thick[1]))
+    return np.concatenate([x, y]), np.concatenate([cells, more + len(x)])
+
+
+def cracked():
+    """A block on the part 0.375 < x of its lower side; the rest is a crack, and a block lies in it."""
+    x, cells = block("quad", 8, [0.0, 0.0], [1.0, 1.0])
+    y, more = block("quad", 4, [0.05, -0.3], [0.2, 0.01])
+    return np.concatenate([x, y]), np.concatenate([cells, more + len(x)])
+
+
+def tagged(mesh, **planes):
+    """Tags of the facets of a mesh in planes, 1, 2, ..., each by a function of places."""
+    dim = mesh.topology.dim
+    mesh.topology.create_connectivity(dim - 1, dim)
+    found = [locate_entities_boundary(mesh, dim - 1, of) for of in planes.values()]
+    facets, tags = np.concatenate(found), np.repeat(np.arange(1, 1 + len(found)), [len(of) for of in found])
+    order = np.argsort(facets)
+    return meshtags(mesh, dim - 1, facets[order].astype(np.int32), tags[order].astype(np.int32))
 
 
 def bodies(kind):

@@ -48,9 +48,14 @@ _FACES = {
 """Corners of the faces of cells, as ``BoundaryFacets.local_face`` counts them."""
 
 
+def face_corners(cell_type: str) -> list[list[int]]:
+    """The same for a type without middle nodes."""
+    return [list(map(int, corners)) for corners in _FACES[cell_type].split()]
+
+
 def face_numbers(cell_type: str, is_corner: np.ndarray) -> np.ndarray:
     """Numbers of faces in cells of a type without middle nodes, by which of a cell's corners are theirs: (faces, corners) of bool."""
-    faces = [np.isin(np.arange(is_corner.shape[1]), list(map(int, corners))) for corners in _FACES[cell_type].split()]
+    faces = [np.isin(np.arange(is_corner.shape[1]), corners) for corners in face_corners(cell_type)]
     same = (is_corner[:, None] == np.array(faces)).all(axis=2)
     if not same.any(axis=1).all():
         raise ValueError(f"face {int(np.argmin(same.any(axis=1)))} is no face of a {cell_type}")

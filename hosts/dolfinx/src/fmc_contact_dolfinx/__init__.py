@@ -6,7 +6,7 @@ MPI ranks.
     find_equilibrium(problem)
 
     find_equilibrium  ->  on_ranks  ->  ContactProblem, attach, with_contact  ->  system  ->  DolfinxContact, FilteredMultigrid
-      ->  linearised  ->  in_parts, replicated  ->  own_part, components, surface  ->  entries, points, replica, space, unknowns
+      ->  linearised  ->  in_parts, replicated  ->  own_part, components, surface, symmetry  ->  entries, points, replica, space, unknowns
       ->  versions, together  ->  cells
 """
 

@@ -16,6 +16,7 @@ from .linearised import Linearised
 from .points import Points, at_points, points_of
 from .replicated import Replicated
 from .space import LayoutError, displacements
+from .symmetry import tagged_faces
 from .together import together
 from .unknowns import Unknowns
 
@@ -169,8 +170,39 @@ class DolfinxContact(Linearised, SmoothesSurfaces):
         )
         return self._shows.coords(owned)
 
+    def set_symmetry_boundaries(self, tags: Any, *values: int) -> None:
+        """Names the boundaries that lie in planes of symmetry, and replaces earlier planes. Collective.
+
+        See ``Mesh.set_symmetry_facets``, which is told of all facets with these tags. A boundary may have several planes.
+
+        Parameters
+        ----------
+        tags : MeshTags or list of such
+            Tags of facets, as ``dolfinx.mesh.meshtags`` or a reader of Gmsh files returns them; one for every space, ``None`` for a space without.
+        *values : int
+            Tags of these boundaries. Without a value there is no plane of symmetry.
+
+        Raises
+        ------
+        ValueError
+            If there are not tags for every space, for tags of another mesh or of no facets, for a value that no facet has, if the boundary alone is
+            passed, and as ``Mesh.set_symmetry_facets`` raises.
+        UnsupportedError
+            If a body would have no surface left.
+
+        Examples
+        --------
+        >>> contact.set_symmetry_boundaries(facet_tags, 1, 2)
+        """
+        listed = list(tags) if isinstance(tags, (list, tuple)) else [tags]
+        if len(listed) != len(self._fields):
+            raise ValueError(f"tags of {len(listed)} spaces, and there are {len(self._fields)}")
+        self._shows.name_faces(tagged_faces(self.comm, self._fields, listed, values))
+
     def set_symmetry_blocks(self, *blocks: Any) -> None:
-        """Names the nodes that lie in planes of symmetry. See ``Mesh.set_symmetry_nodes``, also for slices one cell thick.
+        """Names the nodes that lie in planes of symmetry, and replaces earlier planes. Collective. See ``Mesh.set_symmetry_nodes``.
+
+        In a slice one cell thick use ``set_symmetry_boundaries``: all nodes lie in the planes of the slice.
 
         Parameters
         ----------

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import basix
+import numpy as np
+from fmc_contact._cells import face_numbers
 from fmc_contact.second_order import MIDDLES
 
 # dolfinx counts the corners of quadrilaterals, hexahedra and the base of pyramids as a tensor product; VTK goes around.
@@ -57,3 +59,11 @@ def sorted_places(kind: str, cell_type: str) -> list[int]:
     """The nodes of ``cell_type`` in the order of the entities of basix' cell."""
     found = places(kind, cell_type)
     return sorted(range(len(found)), key=found.__getitem__)
+
+
+def faces(kind: str) -> np.ndarray:
+    """The number that ``fmc_contact`` gives every facet of basix' cell."""
+    corners = np.array(TENSOR_ORDER[CELL_TYPES[kind]])
+    facets = basix.topology(getattr(basix.CellType, kind))[-2]
+    is_corner = np.array([np.isin(np.arange(len(corners)), corners[list(ends)]) for ends in facets])
+    return face_numbers(CELL_TYPES[kind], is_corner)

@@ -8,14 +8,15 @@ from typing import Any
 import numpy as np
 from dolfinx import fem
 from fmc_contact import PartitionedContact
-from fmc_contact.mesh import Mesh
+from fmc_contact.partition import PartitionedMesh
 from fmc_contact.skin import Triplets
 
 from .components import components
 from .own_part import own_part
 from .points import Points, at_points
-from .replica import Replica
+from .replica import Replica, gather_rows
 from .space import Displacement
+from .symmetry import OwnFacets, planes_of
 from .together import together
 
 LARGEST_BODY = 2**31
@@ -38,12 +39,16 @@ def whole_because(
     return ""
 
 
-class _Mesh(Mesh):
-    """Node numbers change when other cells are gathered, so nodes are not named by numbers."""
+class _Mesh(PartitionedMesh):
+    """Numbers of nodes and facets change when other cells are gathered, so neither are named by numbers."""
 
     def set_symmetry_nodes(self, nodes: Any) -> None:
         """Raises ``TypeError``: see ``DolfinxContact.set_symmetry_blocks``."""
         raise TypeError("the mesh is in parts: name nodes in planes of symmetry by DolfinxContact.set_symmetry_blocks")
+
+    def set_symmetry_facets(self, facets: Any, coords: Any) -> None:
+        """Raises ``TypeError``: see ``DolfinxContact.set_symmetry_boundaries``."""
+        raise TypeError("the mesh is in parts: name facets in planes of symmetry by DolfinxContact.set_symmetry_boundaries")
 
 
 class InParts:
@@ -129,6 +134,22 @@ class InParts:
         """Names nodes in planes of symmetry, from marks of this rank's unknowns. Collective."""
         (nodes,) = np.nonzero(self._at_own_nodes(owned)[:, 0])
         together(self._comm, lambda: self._mesh.set_symmetry_nodes(nodes))
+
+    def name_faces(self, faces: Sequence[np.ndarray]) -> None:
+        """Names faces in planes of symmetry, as ``tagged_faces`` returns them. Collective."""
+        comm, of_fields = self._comm, [OwnFacets.of(field, named) for field, named in zip(self._fields, faces)]
+        for facets, first in zip(of_fields, np.cumsum([0] + [field.space.dofmap.index_map.size_global for field in self._fields])):
+            facets.nodes[facets.nodes >= 0] += first
+        planes = planes_of(comm, OwnFacets(*map(np.concatenate, zip(*of_fields))))
+        if planes is not None:
+            together(comm, lambda: self._mesh.set_symmetry_planes(planes))
+            return
+        marks = []
+        for field, facets in zip(self._fields, of_fields):
+            blocks = fem.locate_dofs_topological(field.space, field.facet_dim, facets.exterior)
+            named, own = gather_rows(comm, field.global_blocks(blocks)), field.global_blocks(np.arange(field.owned))
+            marks.append(np.repeat(np.isin(own, named)[:, None], field.dim, axis=1).astype(float))
+        self.name(marks)
 
     def on_points(self, forces: np.ndarray) -> np.ndarray:
         """Forces of the contact, on the nodes gathered."""

@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 from fmc_contact import Contact
+from fmc_contact.boundary import facets_on
 from fmc_contact.skin import Skin, Triplets
 
 from .points import Points
@@ -23,6 +24,7 @@ class Replicated:
     def __init__(
         self, comm: Any, fields: Sequence[Displacement], bodies: Sequence[Any], whole_mesh: bool, options: dict
     ) -> None:
+        self._comm = comm
         shown_by = whole if whole_mesh else boundary
         self._shown = [shown_by(field, number) for field, number in zip(fields, bodies)]
         self.points = Points([shown.replica for shown in self._shown])
@@ -69,10 +71,25 @@ class Replicated:
 
     def name(self, owned: Sequence[np.ndarray]) -> None:
         """Names nodes in planes of symmetry, from marks of this rank's unknowns. Collective."""
-        if self.frame or self._skin is not None:
-            raise ValueError("planes of symmetry are for meshes whose nodes and cells are passed")
+        if self.frame:
+            raise ValueError("the unknowns of a space are no nodes: name facets in planes of symmetry by set_symmetry_boundaries")
+        self._check_cells()
         (nodes,) = np.nonzero(self.points.gather(owned)[:, 0])
         self.contact.mesh.set_symmetry_nodes(nodes)
+
+    def name_faces(self, faces: Sequence[np.ndarray]) -> None:
+        """Names faces in planes of symmetry, as ``tagged_faces`` returns them. Collective."""
+        self._check_cells()
+        first = np.cumsum([0] + [len(shown.cells) for shown in self._shown])
+        cells, numbers = np.concatenate([of_space + [start, 0] for of_space, start in zip(faces, first)]).T
+        points = np.zeros((self.points.count, self.contact.dim))
+        undeformed = np.concatenate([np.eye(self.frame), points]) if self.frame else self._undeformed
+        mesh = self.contact.mesh
+        together(self._comm, lambda: mesh.set_symmetry_facets(facets_on(mesh.boundary_facets(), cells, numbers), undeformed))
+
+    def _check_cells(self) -> None:
+        if self._skin is not None:
+            raise ValueError("planes of symmetry are for meshes whose nodes and cells are passed")
 
     def on_points(self, forces: np.ndarray) -> np.ndarray:
         """Forces of the contact, on the points of the spaces."""

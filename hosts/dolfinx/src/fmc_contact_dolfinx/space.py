@@ -9,7 +9,7 @@ import numpy as np
 from fmc_contact.other_basis import ROUNDING
 from fmc_contact.second_order import MIDDLES, readings
 
-from .cells import CELL_TYPES, SECOND_ORDER, TENSOR_ORDER, places
+from .cells import CELL_TYPES, SECOND_ORDER, TENSOR_ORDER, faces, places
 from .versions import cell_dofs, cell_geometry, cell_name, geometry_layout
 
 
@@ -64,6 +64,8 @@ class Displacement:
         """As ``fmc_contact`` calls it."""
         self.places = places(self.kind, self.cell_type)
         """Dimension and number of what every node of a cell stands on, in the order of ``fmc_contact``."""
+        self.faces = faces(self.kind)
+        """The number that ``fmc_contact`` gives every facet of a cell."""
         self._geometry = geometry_layout(mesh)
         self.is_curved = self._geometry.num_dofs != len(self.topology[0])
         """Whether the middles of the cells' edges are given."""

@@ -98,6 +98,13 @@ def cell_name(mesh: Any) -> str:
     return str(getattr(kind, "name", kind)).split(".")[-1]
 
 
+def is_on(tags: Any, mesh: Any) -> bool:
+    """Whether mesh tags are of this mesh: where its topology is stored, since wrappers of it are made anew."""
+    theirs = tags.topology if hasattr(tags, "topology") else tags.mesh.topology
+    cells = [topology.connectivity(mesh.topology.dim, 0).array for topology in (theirs, mesh.topology)]
+    return cells[0].ctypes.data == cells[1].ctypes.data and len(cells[0]) == len(cells[1])
+
+
 def held_dofs(bc: Any) -> np.ndarray:
     """Unknowns, not blocks, of this rank that a boundary condition holds, ghosts included."""
     found = bc.dof_indices() if hasattr(bc, "dof_indices") else bc._cpp_object.dof_indices()
