@@ -8,6 +8,7 @@ from typing import Any
 import getfem as gf
 import numpy as np
 from fmc_contact import Contact, NodalContact, Result
+from fmc_contact.boundary import facets_on
 from fmc_contact.smoothing import SmoothesSurfaces
 from numpy.typing import ArrayLike
 from scipy.sparse import csr_matrix
@@ -152,6 +153,39 @@ class GetfemContact(SmoothesSurfaces):
             return first + np.arange(len(one.coords))
         chosen = one.space.basic_dof_on_region(region)
         return first + np.flatnonzero(np.isin(one.dofs[:, 0], chosen))
+
+    def set_symmetry_regions(self, *regions: int) -> None:
+        """Names the regions of boundary faces that lie in planes of symmetry, and replaces earlier planes.
+
+        See ``Mesh.set_symmetry_facets``, which is told of all facets of these regions. A region may have several planes.
+
+        Parameters
+        ----------
+        *regions : int
+            Regions of the mesh of any variable. Without a region there is no plane of symmetry.
+
+        Raises
+        ------
+        ValueError
+            If no mesh has such a region, and as ``Mesh.set_symmetry_facets`` raises.
+        UnsupportedError
+            If a body would have no surface left.
+
+        Examples
+        --------
+        >>> contact.set_symmetry_regions(3, 4)
+        """
+        known = sorted({int(region) for one in self._fields.values() for region in one.mesh.regions()})
+        for region in regions:
+            if region not in known:
+                raise ValueError(f"no mesh has a region {region!r}; there are {known}")
+        first, faces = 0, [np.empty((0, 2), int)]
+        for one in self._fields.values():
+            faces.append(one.faces_on(regions) + [first, 0])
+            first += sum(len(numbers) for *_, numbers in one.cells)
+        cells, numbers = np.concatenate(faces).T
+        mesh = self.contact.mesh
+        mesh.set_symmetry_facets(facets_on(mesh.boundary_facets(), cells, numbers), self._undeformed)
 
     def coords(self, u: np.ndarray | None = None) -> np.ndarray:
         """Coordinates of the nodes of the contact at a state.

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import getfem as gf
 import numpy as np
+from fmc_contact._cells import face_numbers
 from fmc_contact.second_order import MIDDLES
 
 _SQUARE = [(0, 0), (1, 0), (1, 1), (0, 1)]
@@ -78,6 +79,13 @@ def of_places(places: np.ndarray) -> tuple[str, np.ndarray] | None:
             if all_there:
                 return name, order
     return None
+
+
+def face_number(kind: str, transform: gf.GeoTrans, structure: tuple, face: int) -> int:
+    """Number that ``fmc_contact`` gives a face of cells with these corners, which GetFEM counts by their structure."""
+    of_cell = structure[0][0] if isinstance(structure[0], (list, tuple)) else structure[0]
+    corners, _ = nearest(_PLACES[kind], transform.pts().T)
+    return int(face_numbers(kind, np.isin(corners, of_cell.facepts(face))[None])[0])
 
 
 def element(cell_type: str) -> gf.Fem:

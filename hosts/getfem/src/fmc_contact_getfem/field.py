@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import getfem as gf
 import numpy as np
 
-from .cells import nearest, of_places
+from .cells import face_number, nearest, of_places
 from .errors import LayoutError
+
+_WHOLE = 65535
+"""Number of the face of a cell that is in a region as a whole."""
 
 
 class Field(NamedTuple):
@@ -29,6 +33,27 @@ class Field(NamedTuple):
     def size(self) -> int:
         """Number of unknowns of the variable."""
         return self.dofs.size
+
+    def faces_on(self, regions: Sequence[int]) -> np.ndarray:
+        """Faces of the cells in regions of the mesh: place of their cell in ``cells``, block after block, and their number in it as
+        ``BoundaryFacets`` counts them, (faces, 2)."""
+        numbers = np.asarray(self.space.convex_index())
+        named = np.concatenate([np.empty((2, 0), int), *(self.mesh.region(region) for region in regions)], axis=1)
+        is_face = (named[1] >= 0) & (named[1] < _WHOLE)
+        named = np.unique(named[:, np.isin(named[0], numbers) & is_face], axis=1)
+        kinds = np.empty(len(numbers), object)
+        for kind, _, chosen in self.cells:
+            kinds[chosen] = kind.rstrip("0123456789")
+        contact_cell = np.argsort(np.concatenate([chosen for *_, chosen in self.cells]))
+        order = np.argsort(numbers)
+        cell = order[np.searchsorted(numbers[order], named[0])]
+        found = np.column_stack([contact_cell[cell], np.empty(len(cell), int)])
+        for transform, of_it in _of_cells(self.mesh.geotrans(), numbers):
+            (here,) = np.nonzero(np.isin(cell, of_it))
+            for face in np.unique(named[1, here]):
+                at = here[named[1, here] == face]
+                found[at, 1] = face_number(kinds[cell[at[0]]], transform, self.mesh.cvstruct(numbers[cell[at[0]]]), face)
+        return found
 
 
 def fields(model: gf.Model, variables: list[str]) -> dict[str, Field]:
