@@ -267,6 +267,7 @@ def test_attributes_that_pages_name_are_there():
     contact = Contact(coords, [[0, 1, 2, 3]], "quad", stiffness=1.0, friction_coefficient=0.3)
     contact.friction.begin_step(coords)
     of_adapters = {"force", "nodes", "size", "attach", "touched", "on_dofs", "coords", "set_surface_smoothing", "begin_step", "commit_step"}
+    of_adapters |= {"set_symmetry_boundaries", "set_symmetry_regions"}
     seen = set()
     # In case files these are keys of a table.
     for page in set(DOCS.glob("*.md")) - {DOCS / "case-files.md"}:
