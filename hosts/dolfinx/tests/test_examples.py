@@ -1,6 +1,7 @@
 """The example and the README run and check themselves."""
 
 import os
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -72,6 +73,22 @@ def test_the_search_of_the_readme_presses_a_block_on_a_plane():
             else:
                 # The block alone, pressed by all but what it penetrates: at no node more than is told, and that is little.
                 assert left < 1e-3 * push and 1e6 * (push - left) * (1 - 1e-9) <= force < 1e6 * push
+
+
+def test_the_planes_of_symmetry_of_the_readme():
+    text = (HERE / "README.md").read_text()
+    (code,) = [one.split("```")[0] for one in text.split("```python\n")[1:] if "set_symmetry" in one]
+    named = "contact.set_symmetry_boundaries([cut(block), cut(punch)], 1)\n"
+    assert named in code
+    for left_out, told in (("", r"The force is (\S+)\. "), (named, r"Without the planes it is (\S+), ")):
+        program = code.replace(left_out, "") + "print(len(result.warnings))"
+        run = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, timeout=60)
+        assert run.returncode == 0, run.stderr
+        force, warnings = run.stdout.splitlines()
+        assert float(force.strip("[] ").split()[1]) == pytest.approx(float(re.search(told, text)[1]), abs=5e-3)
+        assert int(warnings) == (1 if left_out else 0)
+    # k depth over half of the width, less what the free edge of the punch loses.
+    assert 0.99 < float(re.search(r"The force is (\S+)\. ", text)[1]) / (1e4 * 0.01 * 0.5) < 1.0
 
 
 def test_the_iterative_solver_of_the_pages():
