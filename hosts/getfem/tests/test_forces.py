@@ -150,3 +150,24 @@ def test_fields_go_back_to_a_mesh_fem_and_regions_to_nodes():
     mesh.set_region(7, mesh.faces_from_pid(np.flatnonzero(mesh.pts()[1] < 0.98 + 1e-9)))
     assert contact.coords()[contact.nodes("v", 7)][:, 1] == pytest.approx(np.full(low.sum(), 0.98), abs=1e-15)
     assert len(contact.nodes("v")) == len(found)
+
+
+def test_numbers_of_cells_may_have_gaps():
+    """A mesh from which cells were deleted has the forces of a mesh that never had them."""
+    forces = []
+    for extra in (0, 3):
+        model, kept = gf.Model("real"), []
+        for name, low in (("u", 0.0), ("v", 0.98)):
+            mesh, square = gf.Mesh("empty", 2), np.array([[0.0, 1.0, 0.0, 1.0], [0.0, 0.0, 1.0, 1.0]])
+            cells = [mesh.add_convex(gf.GeoTrans("GT_QK(2,1)"), square + [[9.0 + k], [9.0]]) for k in range(extra)]
+            for column in range(2):
+                mesh.add_convex(gf.GeoTrans("GT_QK(2,1)"), square + [[column], [low]])
+            for cell in cells:
+                mesh.del_convex(cell)
+            space = gf.MeshFem(mesh, 2)
+            space.set_fem(gf.Fem("FEM_QK(2,1)"))
+            model.add_fem_variable(name, space)
+            kept.append((mesh, space))
+        assert kept[0][0].cvid()[0] == extra
+        forces.append(GetfemContact(model, ["u", "v"], **OPTIONS).force())
+    assert np.abs(forces[0]).max() > 0.1 and np.array_equal(*forces)

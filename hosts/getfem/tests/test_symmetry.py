@@ -42,6 +42,42 @@ def test_regions_are_planes(element):
     assert np.array_equal(contact.force(), forces[1])
 
 
+def test_regions_of_mixed_cells_on_a_shared_mesh():
+    """Squares and triangles by turns, two variables on one mesh, and cells whose numbers have gaps."""
+    mesh, of_variable = gf.Mesh("empty", 2), {"u": [], "v": []}
+    square, triangle = gf.GeoTrans("GT_QK(2,1)"), gf.GeoTrans("GT_PK(2,1)")
+    corners = np.array([[0.0, 1.0, 0.0, 1.0], [0.0, 0.0, 1.0, 1.0]])
+    mesh.add_convex(square, corners + [[5.0], [5.0]])
+    for name, low in (("u", -1.0), ("v", -0.02)):
+        size = 0.25 if name == "u" else 0.2
+        for row in range(3):
+            for column in range(3):
+                at = size * (corners + [[column], [row]]) + [[0.0], [low if name == "v" else -3 * size]]
+                if (row + column) % 2:
+                    of_variable[name].append(mesh.add_convex(square, at))
+                else:
+                    of_variable[name] += [mesh.add_convex(triangle, at[:, list(k)]) for k in ((0, 1, 2), (1, 3, 2))]
+    mesh.del_convex([0])
+    x = mesh.pts()
+    mesh.set_region(1, mesh.faces_from_pid(np.flatnonzero(np.abs(x[0]) < 1e-9)))
+    model, kept = gf.Model("real"), []
+    for name, cells in of_variable.items():
+        space = gf.MeshFem(mesh, 2)
+        kinds, index = mesh.geotrans()
+        for cell in np.concatenate([np.ravel(one) for one in cells]):
+            linear = "FEM_QK(2,1)" if len(mesh.pid_from_cvid(cell)[0]) == 4 else "FEM_PK(2,1)"
+            space.set_fem(gf.Fem(linear), int(cell))
+        model.add_fem_variable(name, space)
+        kept.append((space, kinds, index))
+    contact = GetfemContact(model, ["u", "v"], **OPTIONS)
+    free = contact.force()
+    contact.contact.mesh.set_symmetry_planes([((0, 0), (1, 0))])
+    expected = contact.force()
+    contact.contact.mesh.set_symmetry_planes([])
+    contact.set_symmetry_regions(1)
+    assert np.array_equal(contact.force(), expected) and not np.array_equal(expected, free)
+
+
 def test_planes_are_those_of_the_region_at_another_reference():
     contact, _ = sliced("FEM_QK(2,1)")
     contact.set_symmetry_regions(1)

@@ -48,7 +48,7 @@ class Field(NamedTuple):
         order = np.argsort(numbers)
         cell = order[np.searchsorted(numbers[order], named[0])]
         found = np.column_stack([contact_cell[cell], np.empty(len(cell), int)])
-        for transform, of_it in _of_cells(self.mesh.geotrans(), numbers):
+        for transform, of_it in _of_cells(self.mesh.geotrans(), self.mesh, numbers):
             (here,) = np.nonzero(np.isin(cell, of_it))
             for face in np.unique(named[1, here]):
                 at = here[named[1, here] == face]
@@ -95,7 +95,7 @@ def field(model: gf.Model, variable: str) -> Field:
     numbers = np.asarray(space.convex_index())
     if not len(numbers):
         raise LayoutError(f"'{variable}' has no elements")
-    kinds, transforms = _of_cells(space.fem(), numbers), _of_cells(mesh.geotrans(), numbers)
+    kinds, transforms = _of_cells(space.fem(), mesh, numbers), _of_cells(mesh.geotrans(), mesh, numbers)
     nodes_of, points_of = [], []
     cells: dict[str, list[tuple[np.ndarray, np.ndarray]]] = {}
     for element, chosen in kinds:
@@ -122,11 +122,12 @@ def field(model: gf.Model, variable: str) -> Field:
     return Field(space, mesh, blocks, dim * order_of_nodes[:, None] + np.arange(dim), coords)
 
 
-def _of_cells(found: tuple, numbers: np.ndarray) -> list[tuple[object, np.ndarray]]:
+def _of_cells(found: tuple, mesh: gf.Mesh, numbers: np.ndarray) -> list[tuple[object, np.ndarray]]:
     """Elements or transformations, each with the places of its cells in ``numbers``; GetFEM gives a list where there are several."""
-    objects, of_number = found
+    objects, of_cells = found
     objects = objects if isinstance(objects, (list, tuple)) else [objects]
-    kind = np.asarray(of_number)[numbers]
+    # Of all cells that there are: numbers of cells that were deleted are left out.
+    kind = np.asarray(of_cells)[np.searchsorted(mesh.cvid(), numbers)]
     return [(one, np.flatnonzero(kind == index)) for index, one in enumerate(objects) if (kind == index).any()]
 
 
