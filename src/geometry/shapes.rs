@@ -189,6 +189,11 @@ pub enum Shape<const D: usize> {
 }
 
 impl<const D: usize> Shape<D> {
+    /// Whether it has edges; of a function of the host nothing is known.
+    pub(crate) fn has_edges(&self) -> bool {
+        !matches!(self, Self::HalfSpace | Self::Ball { .. } | Self::Capsule { .. } | Self::SignedDistance(_))
+    }
+
     /// What kind it is.
     pub fn kind(&self) -> ShapeKind {
         match self {

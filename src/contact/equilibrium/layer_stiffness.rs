@@ -83,6 +83,11 @@ impl<const D: usize> Contact<D> {
         by_row
     }
 
+    /// Whether an obstacle has edges.
+    pub(crate) fn has_edges(&self, obstacle: usize) -> bool {
+        self.partners.obstacles.get(obstacle).is_some_and(|rigid| rigid.obstacle.shape.has_edges())
+    }
+
     /// Whether any pair has friction.
     pub fn has_friction(&self) -> bool {
         self.partners.has_friction(self.method.options())

@@ -13,6 +13,7 @@ use crate::contact::equilibrium::driver::bodies::elastic::deformed;
 use crate::contact::evaluation::Contact;
 use crate::contact::results::ContactForces;
 use crate::contact::ties::{HeldApart, Supports, TieChange};
+use crate::overlap::Partner;
 
 /// Work of the contact forces on the penetration, by that of the bodies' own forces, that does not matter: the part by which forces are
 /// too small.
@@ -213,7 +214,7 @@ impl Updates {
             None if !may => Ok(false),
             _ => {
                 self.count += 1;
-                self.stiffen(host, update.change).await?;
+                self.stiffen(host, &state.contact, update.change).await?;
                 Ok(true)
             }
         }
@@ -236,16 +237,41 @@ impl Updates {
         Ok(Wanted::OnAverage { penetration, rounding, light: self.light * pressed })
     }
 
-    /// Makes the contact stiffer where a penetration was asked for, and updates are slow.
-    async fn stiffen<const D: usize>(&mut self, host: &Host<D>, change: f64) -> Result<(), Trouble> {
+    /// Makes the contact stiffer where updates are slow, and a penetration was asked for or edges press: below an edge of an obstacle a
+    /// facet that is moved out reaches past the wall beside the edge, which pushes it along, and no update closes the gap.
+    async fn stiffen<const D: usize>(
+        &mut self,
+        host: &Host<D>,
+        pressed: &ContactForces<D>,
+        change: f64,
+    ) -> Result<(), Trouble> {
         let is_slow = change > SLOW * self.last;
         self.last = change;
-        if self.asked.is_some() && is_slow && host.contact(|contact| contact.history.stiffened).await < STIFFEST {
-            host.contact(|contact| contact.stiffen(STIFFER)).await?;
+        if !is_slow {
+            return Ok(());
+        }
+        let (asked, touched) = (self.asked.is_some(), obstacles_in(pressed));
+        let stiffened = host.contact(move |contact| -> Result<bool, Error> {
+            let may = asked || touched.iter().any(|&obstacle| contact.has_edges(obstacle));
+            if !may || contact.history.stiffened >= STIFFEST {
+                return Ok(false);
+            }
+            contact.stiffen(STIFFER).map(|()| true)
+        });
+        if stiffened.await? {
             self.last = f64::INFINITY;
         }
         Ok(())
     }
+}
+
+/// Obstacles that press.
+fn obstacles_in<const D: usize>(contact: &ContactForces<D>) -> Vec<usize> {
+    let pressed = contact.pairs.iter().filter(|pair| pair.pressure > 0.0);
+    let partners = pressed.flat_map(|pair| [pair.a, pair.b]);
+    partners
+        .filter_map(|partner| if let Partner::Obstacle(obstacle) = partner { Some(obstacle) } else { None })
+        .collect()
 }
 
 fn pressed<const D: usize>(contact: &ContactForces<D>) -> f64 {
