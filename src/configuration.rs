@@ -8,6 +8,7 @@ mod body_tree;
 mod cell_check;
 mod facet_side;
 mod facet_tree;
+mod passages;
 mod self_contact;
 mod upright;
 

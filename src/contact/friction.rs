@@ -61,3 +61,4 @@ pub(super) use touch::FacetBearings;
 pub(super) use traction::{Stick, Traction};
 pub use tractions::FrictionTotals;
 pub(super) use tractions::{Tractions, Undirected};
+pub(super) use turn::MOST as MOST_TURN;

@@ -1,6 +1,6 @@
 //! Boxes, planes, facets and simplices, with what is measured on each.
 //!
-//! `aabb`, `tree` (boxes, and those that meet one) · `plane`, `pose` · `facet`, `facet_slopes`, `nearest_on_facet`, `inside`, `crossing`
+//! `aabb`, `tree` (boxes, and those that meet one) · `plane`, `pose`, `motion` (from one pose to another) · `facet`, `facet_slopes`, `nearest_on_facet`, `inside`, `crossing`
 //! (facets and lines) · `simplex`, `convex_piece`, `orientation` (parts of simplices) · `quadrature`, `simplex_rule`, `weighting`
 //! (integrals)
 
@@ -10,6 +10,7 @@ pub(crate) mod crossing;
 pub(crate) mod facet;
 pub(crate) mod facet_slopes;
 pub(crate) mod inside;
+pub(in crate::geometry) mod motion;
 pub(crate) mod nearest_on_facet;
 pub(crate) mod orientation;
 pub(crate) mod plane;

@@ -9,5 +9,6 @@ mod loose;
 mod moved_obstacles;
 mod protocol;
 mod refused;
+mod told_motions;
 mod touching;
 mod unloaded;

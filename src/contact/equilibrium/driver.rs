@@ -5,6 +5,7 @@
 //!
 //! - `layers`: where the law has no stiffness, each pair gets one from the host's matrix;
 //! - `motions`, `settle`: bodies that nothing holds move rigidly until contact balances their loads, or are refused by name;
+//! - `stood`, `passed`, `half_turns`: obstacles that were moved through a body before the search, or turned so far that nobody knows which way, are told;
 //! - `overlaps`: overlaps that loads do not explain are told;
 //! - `unchanged`: a load step in which nothing changes takes up what the last one has found;
 //! - `falling_load`: multipliers of another load fall with it;

@@ -12,7 +12,7 @@
 use nalgebra::SMatrix;
 
 /// Angle up to which a turn counts as it is, in radians: beyond half a turn nothing tells it from one the other way round.
-const MOST: f64 = 3.0;
+pub(crate) const MOST: f64 = 3.0;
 
 /// M of two sides with these deformations since the step began.
 pub(super) fn turned<const D: usize>(a: &SMatrix<f64, D, D>, b: &SMatrix<f64, D, D>) -> SMatrix<f64, D, D> {

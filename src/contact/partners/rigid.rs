@@ -19,6 +19,8 @@ pub(crate) struct Placed<const D: usize> {
 /// An obstacle whose values have been checked.
 pub(crate) struct Rigid<const D: usize> {
     pub(crate) obstacle: Obstacle<D>,
+    /// Where it stood when it was added.
+    pub(crate) added: Pose<D>,
     solid: Solid<D>,
 }
 
@@ -26,7 +28,7 @@ impl<const D: usize> Rigid<D> {
     /// Checks shape and pose. `index` is the number that errors name.
     pub(crate) fn new(obstacle: Obstacle<D>, index: usize) -> Result<Self, Error> {
         let solid = obstacle.solid(index)?;
-        Ok(Self { obstacle, solid })
+        Ok(Self { added: obstacle.pose, obstacle, solid })
     }
 
     /// Its shape, in a frame of its own.

@@ -5,6 +5,7 @@ use super::breaking::breaking;
 use super::falling::Falling;
 use super::patches::Patches;
 use super::state::State;
+use super::stood::Former;
 use super::updates::Updates;
 use crate::Error;
 use crate::contact::changes::friction_steps::freeze_after;
@@ -29,6 +30,8 @@ pub(crate) struct Search<const D: usize> {
     pub(crate) patches: Option<Patches>,
     pub(crate) options: DriverOptions,
     pub(crate) has_friction: bool,
+    /// Where obstacles stood before.
+    pub(crate) former: Former<D>,
     /// Where the load of the step before is gone.
     pub(crate) unloaded: Option<Unloaded>,
     /// Where the load is a part of that of the step before, and nothing has moved yet.

@@ -14,6 +14,7 @@ use crate::contact::equilibrium::driver::progress::balance::Balance;
 use crate::contact::equilibrium::driver::progress::before::{Before, Kept};
 use crate::contact::equilibrium::driver::progress::patches::Patches;
 use crate::contact::equilibrium::driver::progress::search::Search;
+use crate::contact::equilibrium::driver::progress::stood::Former;
 use crate::contact::equilibrium::driver::progress::updates::Updates;
 use crate::contact::equilibrium::driver::told::told_breaking::with_what_breaks;
 use crate::contact::equilibrium::driver::told::uncommitted::uncommitted;
@@ -29,6 +30,8 @@ pub(crate) async fn load_step<const D: usize>(
     // A search that was left where it was may have left it.
     host.contact(|contact| (contact.history.apart_at, contact.history.sticking) = (None, 1.0)).await;
     let is_found = host.contact(|contact| contact.options().law.is_without_stiffness()).await;
+    let (unknowns, x) = (step.unknowns.clone(), step.x.clone());
+    let former = host.contact(move |contact| Former::of(contact, &unknowns, &x)).await;
     let mut search = match prepared(&host, &step).await {
         Ok((assembly, motions, has_friction, pressed)) => Search {
             host,
@@ -39,6 +42,7 @@ pub(crate) async fn load_step<const D: usize>(
             updates: Updates::new(&step.options, is_found),
             options: step.options,
             has_friction,
+            former,
             unloaded: None,
             falling: None,
             broken: Vec::new(),

@@ -13,10 +13,12 @@ use crate::contact::equilibrium::driver::progress::breaking::breaking;
 use crate::contact::equilibrium::driver::progress::search::Search;
 use crate::contact::equilibrium::driver::progress::state::State;
 use crate::contact::equilibrium::driver::progress::within_facets::within_facets;
+use crate::contact::equilibrium::driver::told::half_turns::half_turns;
 use crate::contact::equilibrium::driver::told::held::held;
 use crate::contact::equilibrium::driver::told::held_apart::held_apart;
 use crate::contact::equilibrium::driver::told::locking::locking;
 use crate::contact::equilibrium::driver::told::overlaps::overlaps;
+use crate::contact::equilibrium::driver::told::passed::passed;
 use crate::contact::equilibrium::driver::told::rounded::rounded;
 use crate::contact::equilibrium::driver::told::standing::standing;
 use crate::contact::equilibrium::driver::ways::falling_load::falling_load;
@@ -57,6 +59,10 @@ struct Counts {
 pub(crate) async fn in_parts<const D: usize>(search: &mut Search<D>, step: &LoadStep<D>) -> Result<Found<D>, Trouble> {
     let start = State::at(&search.host, step.x.clone(), true).await?;
     search.balance.begin(&search.host, &search.assembly, &start).await?;
+    passed(search, &step.x).await?;
+    for text in half_turns(search).await {
+        search.warn(text);
+    }
     overlaps(search, &start).await?;
     taken_up(search, &start, &step.moved).await;
     let start = falling_load(search, start).await?;

@@ -1,9 +1,12 @@
 //! Overlaps at the start that loads do not explain: what a mesher left, or an interference that is meant.
 
+use crate::contact::changes::poses::with_poses;
 use crate::contact::equilibrium::driver::asking::assembly::Assembly;
 use crate::contact::equilibrium::driver::asking::trouble::Trouble;
 use crate::contact::equilibrium::driver::progress::search::Search;
 use crate::contact::equilibrium::driver::progress::state::State;
+use crate::contact::equilibrium::driver::progress::stood::FormerState;
+use crate::contact::evaluation::Contact;
 use crate::contact::history::sorted;
 use crate::contact::results::GapConstraints;
 use crate::overlap::Partner;
@@ -23,8 +26,30 @@ pub(crate) async fn overlaps<const D: usize>(search: &mut Search<D>, start: &Sta
         return Ok(());
     }
     let (coords, reach) = (unknowns.coords(&start.x), TOLD * search.assembly.finest());
-    let gaps = search.host.contact(move |contact| contact.gap_constraints(&coords, reach)).await?;
-    let deepest = deepest(&gaps, |_| true);
+    let count = search.host.contact(|contact| contact.partners.obstacles.count()).await;
+    let deepest = match search.former.state.clone() {
+        FormerState::Now => {
+            deepest(&search.host.contact(move |contact| contact.gap_constraints(&coords, reach)).await?, |_| true)
+        }
+        // What was in equilibrium is what loads explain, and what obstacles and nodes were moved by since is meant.
+        FormerState::Found(poses) => {
+            let is_new = |partner: &Partner| match partner {
+                Partner::Obstacle(obstacle) => poses.get(*obstacle).is_none_or(Option::is_none),
+                Partner::Body(_) => false,
+            };
+            if (0..count).all(|obstacle| !is_new(&Partner::Obstacle(obstacle))) {
+                return Ok(());
+            }
+            let gaps = search.host.contact(move |contact| contact.gap_constraints(&coords, reach)).await?;
+            deepest(&gaps, |row| gaps.partners[row].iter().any(is_new))
+        }
+        FormerState::Begun(coords, poses) => {
+            let gaps = move |contact: &mut Contact<D>| {
+                with_poses(contact, &poses, |contact| contact.gap_constraints(&coords, reach))
+            };
+            deepest(&search.host.contact(gaps).await?, |_| true)
+        }
+    };
     let said = |names: [String; 2], depth: f64, part: f64| {
         let [a, b] = names;
         format!(
