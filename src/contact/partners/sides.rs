@@ -51,21 +51,23 @@ impl<'a, const D: usize> Sides<'a, D> {
         }
     }
 
-    /// How a point goes along pieces that are straight in the obstacle's own frame; `None` where it never comes in.
-    pub(crate) fn of_way(&self, way: &[Vector<D>]) -> Option<Through<D>> {
-        let (start, end) = (self.nearest(way.first()?), way.last()?);
+    /// How a point that stays where it is passes the obstacle, which goes through these poses; `None` where it never comes in.
+    pub(crate) fn of_way(&self, point: &Vector<D>, poses: &[Pose<D>]) -> Option<Through<D>> {
+        let (first, last) = (poses.first()?, poses.last()?);
+        let way: Vec<Vector<D>> = poses.iter().map(|pose| pose.unplace(point)).collect();
+        let (start, end) = (self.nearest(way.first()?), self.nearest(way.last()?));
         let rounding = ROUNDING * self.radius;
         // What lies on a side comes in by that, whatever rounding says.
-        let mut sides = (start.0 < rounding).then_some([start.1; 2]);
-        for piece in way.windows(2) {
+        let mut sides = (start.0 < rounding).then_some([first.rotate(&start.1); 2]);
+        for (piece, pose) in way.windows(2).zip(&poses[1..]) {
             for normal in self.passed(&piece[0], &piece[1]) {
+                let normal = pose.rotate(&normal);
                 sides = Some([sides.map_or(normal, |[first, _]| first), normal]);
             }
         }
-        let [first, last] = sides?;
-        let end = self.nearest(end);
-        let last = if end.0 < 0.0 { end.1 } else { last };
-        Some(Through { starts_inside: start.0 < -rounding, sides: [first, last] })
+        let [entered, left] = sides?;
+        let left = if end.0 < 0.0 { last.rotate(&end.1) } else { left };
+        Some(Through { starts_inside: start.0 < -rounding, sides: [entered, left] })
     }
 
     /// Normals where a straight piece passes the surface, in this order.
@@ -107,8 +109,8 @@ impl<'a, const D: usize> Sides<'a, D> {
 /// How a point came in and where it is, or went out.
 pub(crate) struct Through<const D: usize> {
     pub(crate) starts_inside: bool,
-    /// Outward unit normals, in the obstacle's own frame, of the side by which it came in, or that was nearest where it started inside; and
-    /// of that by which it went out, or that is nearest at the end.
+    /// Outward unit normals, in space, of the side by which it came in, or that was nearest where it started inside; and of that by which it
+    /// went out, or that is nearest at the end. A ball that spins in place has one side there, whichever part of it that is.
     pub(crate) sides: [Vector<D>; 2],
 }
 
