@@ -2,8 +2,8 @@
 
 use crate::scene::{Scene, exact, fibers, lines};
 use fmc_contact::overlap::Partner;
-use fmc_contact::{FiberOptions, Obstacle, Pose, Shape, Warning};
-use fmc_shapes::{Diagonals, cuboid_tet4, icosphere, rectangle_tri3};
+use fmc_contact::{EnergyLaw, FiberOptions, Obstacle, Options, Pose, Shape, Warning};
+use fmc_shapes::{Diagonals, cuboid_tet4, icosphere, rectangle_quad4, rectangle_tri3};
 
 /// Unit squares of edges 1/n, one `depth` deep in the other.
 fn stacked(n: usize, depth: f64) -> Scene<2> {
@@ -78,6 +78,21 @@ fn swallowed_bodies_are_named() {
             let warnings = contact.evaluate(&scene.coords).unwrap().warnings;
             assert_eq!(warnings, [Warning::SwallowedBody { inner, outer }]);
         }
+    }
+}
+
+/// A ball inside a body that touches its surface, by rounding, is swallowed as one that does not.
+#[test]
+fn an_obstacle_that_touches_from_inside_is_swallowed() {
+    let block = rectangle_quad4([-1.0, -2.0], [1.0, 0.0], [20, 20]);
+    let scene = Scene::of(&[&block]);
+    for (radius, x) in [(1e-3, 0.0), (0.01, 0.0), (0.01, 0.05), (0.3, 0.05)] {
+        let mut contact = scene.contact(Options::new(EnergyLaw::depth(1.0)));
+        let pose = Pose::at([x, -radius]);
+        contact.add_obstacle(Obstacle { shape: Shape::Ball { radius }, pose }).unwrap();
+        let warnings = contact.evaluate(&scene.coords).unwrap().warnings;
+        let expected = [Warning::SwallowedBody { inner: Partner::Obstacle(0), outer: A }];
+        assert_eq!(warnings, expected, "{radius} {x}");
     }
 }
 

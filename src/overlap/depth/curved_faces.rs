@@ -66,5 +66,6 @@ pub(crate) fn curved_faces<const D: usize>(
         }
         _ => Smoothing::NotForSuchPairs,
     };
-    (sag * area > depth).then(|| Warning::CurvedFaces { a, b, sag, penetration: depth / area, remedy })
+    // What is no deeper than rounding may be less than nothing.
+    (depth > 0.0 && sag * area > depth).then(|| Warning::CurvedFaces { a, b, sag, penetration: depth / area, remedy })
 }

@@ -31,7 +31,8 @@ use crate::overlap::pair::sides::{Counterpart, ImplicitSide, Offset, Pair};
 use crate::overlap::pair::warning::Warning;
 use crate::overlap::sums::block_sum::symmetric_part;
 
-/// An obstacle with this part of the box around it inside a body is there by more than rounding.
+/// An obstacle with this part of the box around it inside a body is there by more than rounding, and facets with this part of the volume as
+/// the integral of their depth are not.
 const SWALLOWED: f64 = 1e-6;
 
 /// Slopes of a signed distance that are told: one anywhere at its surface, as smooth edges of a shape have them nowhere; and the largest
@@ -112,8 +113,8 @@ fn warnings<const D: usize>(
     (within, is_exact): (&Aabb<D>, bool),
 ) -> Result<Vec<Warning>, Error> {
     let ([body, obstacle], mut warnings) = (pair.partners, Vec::new());
-    // Without facets inside the obstacle there is no force. What touches has a volume too, by rounding.
-    if sums.piece_count == 0 && volume > SWALLOWED * within.extent().product() {
+    // Without facets inside the obstacle, by more than rounding, there is no force. What touches has a volume too, by rounding.
+    if sums.depth <= SWALLOWED * volume && volume > SWALLOWED * within.extent().product() {
         warnings.push(Warning::SwallowedBody { inner: obstacle, outer: body });
     }
     warnings.extend(curved_faces(pair, &sums.facets, None));
