@@ -68,7 +68,7 @@ impl<const D: usize> Motion<D> {
 /// The skew matrix of the axis of a half turn; in 2D it is counter-clockwise.
 fn half_turn<const D: usize>(turn: &SMatrix<f64, D, D>) -> SMatrix<f64, D, D> {
     if D == 2 {
-        return SMatrix::from_fn(|i, j| j as f64 * -1.0 + i as f64);
+        return SMatrix::from_fn(|i, j| i as f64 - j as f64);
     }
     // Twice the square of the axis is what a half turn and the identity add up to.
     let square = turn + SMatrix::identity();

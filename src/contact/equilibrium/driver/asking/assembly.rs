@@ -159,7 +159,19 @@ impl<const D: usize> Assembly<D> {
         let rest = rows.iter().map(|&row| (Vector::<D>::from(motion[row]) - mean).amax()).fold(0.0, f64::max);
         let is_rotation = mean.amax() < 0.5 * rest || mean.norm() == 0.0;
         let direction = if is_rotation { Vector::zeros() } else { mean.normalize() };
-        Some(Mover { id: self.ids[body], is_tied: self.is_tied[body], direction, is_rotation, way: way(rows) })
+        Some(Mover { id: self.ids[body], body, is_tied: self.is_tied[body], direction, is_rotation, way: way(rows) })
+    }
+}
+
+impl<const D: usize> Mover<D> {
+    /// The same, driven by these forces of the rows: along their mean where it does not turn.
+    pub(crate) fn driven(mut self, assembly: &Assembly<D>, forces: &[[f64; D]]) -> Self {
+        let sum =
+            assembly.rows[self.body].iter().fold(Vector::<D>::zeros(), |sum, &row| sum + Vector::from(forces[row]));
+        if let Some(direction) = sum.try_normalize(0.0).filter(|_| !self.is_rotation) {
+            self.direction = direction;
+        }
+        self
     }
 }
 
@@ -167,6 +179,7 @@ impl<const D: usize> Assembly<D> {
 #[derive(Clone, Debug)]
 pub(crate) struct Mover<const D: usize> {
     pub(crate) id: i64,
+    body: usize,
     is_tied: bool,
     pub(crate) direction: Vector<D>,
     pub(crate) is_rotation: bool,
@@ -189,4 +202,28 @@ impl<const D: usize> std::fmt::Display for Mover<D> {
 fn median(mut values: Vec<f64>) -> f64 {
     values.sort_unstable_by(f64::total_cmp);
     values.get(values.len() / 2).copied().unwrap_or(0.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::contact::{EnergyLaw, Options};
+    use crate::geometry::{Bodies, CellBlock, CellType, Surface};
+
+    /// A body that sinks by more than it slides is driven sideways, where its load is.
+    #[test]
+    fn a_body_is_driven_along_its_load() {
+        let coords = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
+        let blocks = [CellBlock { cell_type: CellType::Quad4, conn: &[0, 1, 2, 3] }];
+        let surface = Surface::from_cells(&coords, &blocks, Bodies::Connected).unwrap();
+        let contact = Contact::new(surface, Options::new(EnergyLaw::depth(1.0))).unwrap();
+        let assembly = Assembly::new(&contact, &coords).unwrap();
+        let mover = assembly.mover(&[[0.1, -0.5]; 4]).unwrap();
+        assert_eq!(mover.to_string(), "body 0 along (0.20, -0.98)");
+        let loads = [[2.0, 1.0], [1.0, -1.0], [0.0, 0.5], [0.0, -0.5]];
+        assert_eq!(mover.clone().driven(&assembly, &loads).to_string(), "body 0 along (1.00, 0.00)");
+        assert_eq!(mover.driven(&assembly, &[[0.0; 2]; 4]).to_string(), "body 0 along (0.20, -0.98)");
+        let turned = assembly.mover(&[[0.5, -0.5], [0.5, 0.5], [-0.5, 0.5], [-0.5, -0.5]]).unwrap();
+        assert_eq!(turned.driven(&assembly, &loads).to_string(), "body 0 in rotation");
+    }
 }

@@ -12,8 +12,8 @@ use std::collections::BTreeSet;
 /// by as much.
 pub(crate) const TOLD: f64 = 1e-2;
 
-/// Forces of a pair, by all of them, that are none: what is left after a load is gone.
-const UNLOADED: f64 = 1e-6;
+/// Forces by those of before, or of a pair by all, that are none: what is left after a load is gone.
+pub(crate) const UNLOADED: f64 = 1e-6;
 
 /// How much penetration there may be without a word.
 pub(crate) enum Most {

@@ -246,7 +246,7 @@ async fn finished<const D: usize>(
         let text = format!("the residual stays at {left:.1e} of the forces: the host's own forces are rounded so far");
         search.warn(text);
     }
-    if let Some(text) = rounded(search, &reached.state, reached.verdict) {
+    if let Some(text) = rounded(search, &reached.state, reached.verdict).await {
         search.warn(text);
     }
     for text in doubtful(search, &reached).await {

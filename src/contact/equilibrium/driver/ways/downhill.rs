@@ -95,7 +95,7 @@ pub(crate) async fn downhill<const D: usize>(
             None => frozen_for = FROZEN,
         }
     }
-    Err(exhausted(search, &trail))
+    Err(exhausted(search, &trail, &state))
 }
 
 /// A load as large as all of it moves a free body by a tenth of its thickness.
@@ -214,12 +214,16 @@ async fn step<const D: usize>(
 }
 
 /// What has gone further than a part of a facet in the second half of the iterations is not held.
-fn exhausted<const D: usize>(search: &Search<D>, trail: &[Vec<f64>]) -> Trouble {
+fn exhausted<const D: usize>(search: &Search<D>, trail: &[Vec<f64>], state: &State<D>) -> Trouble {
     let (last, middle) = (&trail[trail.len() - 1], &trail[trail.len() / 2]);
     let way = moved(last, -1.0, middle);
     let mover = search.assembly.mover(&search.host.unknowns.spread(&way));
     match mover.filter(|mover| largest(&way) > 0.1 * search.assembly.finest() && mover.way > 0.0) {
-        Some(mover) if !search.motions.is_empty() => Trouble::adrift(&mover),
+        Some(mover) if !search.motions.is_empty() => {
+            // What slides is turned and pressed in on its way too: it is driven where its load is not balanced.
+            let driven = search.host.unknowns.freed(moved(&vec![0.0; way.len()], -1.0, &state.residual));
+            Trouble::adrift(&mover.driven(&search.assembly, &search.host.unknowns.spread(&driven)))
+        }
         _ => {
             let (left, solves) = (search.balance.relative(), search.host.solves());
             Trouble::Failed(format!("the residual is {left:.1e} of the forces after {solves} linear solves"))
