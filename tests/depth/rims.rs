@@ -70,19 +70,18 @@ fn nothing_presses_through_a_clearance() {
 }
 
 /// An interference of .003 presses by k δ on the area of the shorter one. Beside free ends the depth of the straight cells is less than the
-/// distance from the bore, and a longer pin is pressed by the straight edges of flat ends, too. One row of cells of second order has rims on both
-/// sides of each.
+/// distance from the bore, and a longer pin is pressed by the straight edges of flat ends, too. Faces of second order are their circles to a fraction of
+/// the interference; of first order the circles through smoothed facets are not.
 #[test]
 fn rims_press_as_what_lies_between_them() {
     let delta = 3e-3;
-    for nodes in [8, 20, 4] {
+    for (nodes, within) in [(8, 0.05), (20, 0.015), (4, 0.12)] {
         for along in RIMS {
             let scene = pin_in_lug(nodes, 10.0 - delta, along);
             let found = contact(&scene, 1.0).evaluate(&scene.coords).expect("valid coordinates");
             let height = (along.0[1] - along.0[0]).min(5.0);
             let area = 10.0 * TAU * height;
             let force = pressed(&scene, &found.forces) / (delta * area);
-            let within = if nodes == 20 && along == RIMS[0] { 0.2 } else { 0.12 };
             assert!((force - 1.0).abs() < within, "{nodes}, {along:?}: {force}");
         }
     }
