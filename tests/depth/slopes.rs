@@ -86,7 +86,7 @@ fn gentle_ones_are_told() {
     }
 }
 
-/// Without a facet of the body in it nothing pushes an obstacle out.
+/// Without a facet of the body in it nothing pushes an obstacle out, nor where it touches one from inside.
 #[test]
 fn obstacles_inside_bodies_are_told() {
     let scene = Scene::of(&[&cuboid_hex8([-1.0; 3], [1.0; 3], [4; 3])]);
@@ -95,7 +95,7 @@ fn obstacles_inside_bodies_are_told() {
         Shape::Cuboid { half_extents: [0.2, 0.3, 0.2] },
         Shape::Capsule { radius: 0.1, half_height: 0.2 },
     ] {
-        for (x, is_inside) in [(0.1, true), (0.9, false), (2.0, false)] {
+        for (x, is_inside) in [(0.1, true), (0.95, false), (2.0, false)] {
             let mut contact = scene.contact(depth(1.0));
             contact
                 .add_obstacle(Obstacle { shape: shape.clone(), pose: Pose::at([x, 0.13, 0.05]) })
@@ -105,4 +105,10 @@ fn obstacles_inside_bodies_are_told() {
             assert_eq!(is_told, is_inside, "{shape:?} at {x}: {:?}", found.warnings);
         }
     }
+    let mut contact = scene.contact(depth(1.0));
+    let touching =
+        Obstacle { shape: Shape::Capsule { radius: 0.1, half_height: 0.2 }, pose: Pose::at([0.9, 0.13, 0.05]) };
+    contact.add_obstacle(touching).expect("an obstacle");
+    let found = contact.evaluate(&scene.coords).expect("valid coordinates");
+    assert!(found.warnings.iter().any(|w| matches!(w, Warning::SwallowedBody { .. })), "{:?}", found.warnings);
 }
