@@ -183,6 +183,14 @@ PIECES = {
         ),
         (ROUGH, "assert contact.evaluate(coords).penetration < 1e-9"),
         (ROUGH, "assert abs(contact.evaluate(x).bodies[1].force[1] - 20) < 0.1, contact.evaluate(x).bodies"),
+        # A lid is pressed on the upper square, of 1e4 between its bottom and its top; it touches the walls beside, too, by what multipliers move
+        # the face out.
+        (
+            TWO_BLOCKS
+            + "contact, free = Contact(x, conn, 'quad'), np.r_[9:16:2]\nhost = lambda x: (K @ (x - first).ravel(), K)\n"
+            + "start, way = np.array([0.5, 2]), np.array([0, -0.1])\ntool = contact.obstacles.add_half_space(start, (0, -1))\n",
+            "assert abs(contact.evaluate(x).obstacles[tool].force[1] - 1000) < 15, contact.evaluate(x).obstacles",
+        ),
     ],
     "second-order.md": [
         (OF_SECOND_ORDER, "assert contact.facet_count == 2 * 4 + 3 * 16, contact.facet_count"),
