@@ -92,11 +92,10 @@ impl<const D: usize> Curves<D> {
         let in_cells = HeightsInCells { surface, cells, facets: &facets, bends: &bends, divisions, division_of };
         let seen_by = |bend| in_cells.terms(&is_surface, bend);
         let of_cells = seen_by(Bend::None);
-        let told: Vec<bool> = (0..surface.facets.len()).map(&is_surface).collect();
-        let rims = Rims::new(&Facets { surface, points: &points, sags: &facets, is_surface: &told, around: &around });
+        let flags: Vec<bool> = (0..surface.facets.len()).map(&is_surface).collect();
+        let rims = Rims::new(&Facets { surface, points: &points, sags: &facets, is_surface: &flags, around: &around });
         let by_bend = rims.at.contains(&true).then(|| [Bend::Outwards, Bend::Inwards].map(seen_by));
-        let is_surface = told;
-        Some(Self { facets, curvatures, of_bodies, is_surface, rims, points, around, cells: of_cells, by_bend })
+        Some(Self { facets, curvatures, of_bodies, is_surface: flags, rims, points, around, cells: of_cells, by_bend })
     }
 
     /// The height of the surface above a facet.

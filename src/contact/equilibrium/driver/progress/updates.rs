@@ -2,7 +2,7 @@
 
 use super::balance::Verdict;
 use super::state::State;
-use super::within_facets::{Most, TOLD};
+use super::within_facets::{Most, TOLD, UNLOADED};
 use crate::Error;
 use crate::contact::equilibrium::augmentation::Augmentation;
 use crate::contact::equilibrium::driver::asking::host::Host;
@@ -36,9 +36,6 @@ const STIFFEST: f64 = 16.0;
 
 /// Jump or penetration that is left, by the smallest facet, of which nothing is said: a false strain of as much.
 const UNTOLD: f64 = 1e-6;
-
-/// Contact forces by those where a load began to fall that are none.
-const UNLOADED: f64 = 1e-6;
 
 /// Units of rounding of a coordinate that are no jump.
 const ROUNDING: f64 = 8.0 * f64::EPSILON;
