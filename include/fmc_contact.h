@@ -2096,8 +2096,13 @@ typedef struct {
   // 1: the host is checked at the start, and nothing is solved. The checks compare the residual with the matrix, and test signs,
   // symmetry and rigid motions. The search ends with `FMC_REQUEST_FOUND`, and `fmc_equilibrium_text` has a sentence for each. Default 0.
   int32_t check;
+  // 1: slip counts straight from the start of the step, also of pairs that touch later in it. Derivatives of the equilibrium then hold no
+  // place of first touch. Default 0: from where a gap closes.
+  int32_t straight_slip;
+  // Zero.
+  uint32_t reserved_flags;
   // Zero. Room for options of later versions.
-  uint64_t reserved[5];
+  uint64_t reserved[4];
 } fmc_equilibrium_options;
 
 // The unknowns of a host, and the start of a load step. Initialise it with `fmc_equilibrium_problem_init`.
@@ -2211,8 +2216,11 @@ typedef struct {
   int64_t unheld_body;
   // Unit vector along which it moves; zeros for a rotation.
   double unheld_direction[3];
+  // Pairs whose slip counts from where they first touched in this step: they were apart at its start. Derivatives of the equilibrium hold
+  // these places.
+  size_t first_touch_count;
   // Zero.
-  uint64_t reserved[6];
+  uint64_t reserved[5];
 } fmc_equilibrium_result;
 
 // Sets all options of a search to their defaults.

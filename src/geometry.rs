@@ -17,7 +17,7 @@ pub(crate) use march::{Intersection, MarchFailure, ROUNDS as MARCH_ROUNDS, Searc
 pub use mesh::cell::{Bodies, CellBlock, CellType};
 pub use mesh::facet_block::{FacetBlock, FacetType};
 pub(crate) use primitives::facet::{cross_matrix, moment};
-pub(crate) use primitives::motion::Motion;
+pub(crate) use primitives::motion::{Motion, turn_about};
 pub use primitives::pose::Pose;
 pub(crate) use primitives::weighting::Weighting;
 pub use second_order::Basis;

@@ -507,7 +507,9 @@ module fmc_contact_c
     integer(c_int32_t) :: lagged
     integer(c_int32_t) :: find_patches
     integer(c_int32_t) :: check
-    integer(c_int64_t) :: reserved(5)
+    integer(c_int32_t) :: straight_slip
+    integer(c_int32_t) :: reserved_flags
+    integer(c_int64_t) :: reserved(4)
   end type
 
   type, bind(c) :: fmc_equilibrium_problem
@@ -564,7 +566,8 @@ module fmc_contact_c
     real(c_double) :: penetration
     integer(c_int64_t) :: unheld_body
     real(c_double) :: unheld_direction(3)
-    integer(c_int64_t) :: reserved(6)
+    integer(c_size_t) :: first_touch_count
+    integer(c_int64_t) :: reserved(5)
   end type
 
   type, bind(c) :: fmc_contact_step_options

@@ -59,7 +59,7 @@ class Pressed:
                 if x is not self.first:
                     contact.friction.commit_step(x)
                 contact.friction.begin_step(x)
-            found = find_equilibrium(host, contact, x, self.free, end, **{**options, **more})
+            found = find_equilibrium(host, contact, x, self.free, end, straight_slip=True, **{**options, **more})
             x = found.x
         return found
 

@@ -50,7 +50,7 @@ class Dragged:
             pose = Pose((0, floor * (step + 1)), [[np.cos(turn), -np.sin(turn)], [np.sin(turn), np.cos(turn)]])
             self.contact.obstacles.set_pose(0, pose)
             residual = lambda x: (self.matrix @ (x - self.first).ravel(), self.matrix)
-            return find_equilibrium(residual, self.contact, x, self.free, end, tolerance=1e-14)
+            return find_equilibrium(residual, self.contact, x, self.free, end, tolerance=1e-14, straight_slip=True)
 
         return History(self.contact, solve, self.count, states), first
 
@@ -121,7 +121,7 @@ class Blocks:
             end = self.first.copy()
             end[self.top] += [0.05, -0.02] if still else [drag * np.sin(1.1 * step), -0.02 - 0.001 * step]
             residual = lambda x: (matrix @ (x - self.first).ravel(), matrix)
-            return find_equilibrium(residual, contact, x, self.free, end, tolerance=1e-14)
+            return find_equilibrium(residual, contact, x, self.free, end, tolerance=1e-14, straight_slip=True)
 
         return History(contact, solve, self.count, states), start
 
@@ -227,7 +227,7 @@ def square(downs, friction=0.3, drag=0.001, contact=None, **options):
     def solve(step, x):
         end = SQUARE.copy()
         end[2:] += (drag * (step + 1), -downs[step])
-        return find_equilibrium(lambda x: (OF_SQUARE @ (x - SQUARE).ravel(), OF_SQUARE), contact, x, range(4), end, tolerance=1e-14)
+        return find_equilibrium(lambda x: (OF_SQUARE @ (x - SQUARE).ravel(), OF_SQUARE), contact, x, range(4), end, tolerance=1e-14, straight_slip=True)
 
     return History(contact, solve, len(downs))
 
@@ -268,7 +268,7 @@ def test_nodes_on_the_axis_stay_there():
         contact.friction.begin_step(disc)
         contact.obstacles.set_pose(floor, (0, down))
         host = lambda x: (OF_SQUARE @ (x - disc).ravel(), OF_SQUARE)
-        return find_equilibrium(host, contact, disc, [1, 2, 3], tolerance=1e-14)
+        return find_equilibrium(host, contact, disc, [1, 2, 3], tolerance=1e-14, straight_slip=True)
 
     goal = np.zeros((4, 2))
     goal[1] = 1

@@ -585,7 +585,9 @@ pub struct fmc_equilibrium_options {
     pub lagged: i32,
     pub find_patches: i32,
     pub check: i32,
-    pub reserved: [u64; 5],
+    pub straight_slip: i32,
+    pub reserved_flags: u32,
+    pub reserved: [u64; 4],
 }
 
 #[repr(C)]
@@ -650,7 +652,8 @@ pub struct fmc_equilibrium_result {
     pub penetration: f64,
     pub unheld_body: i64,
     pub unheld_direction: [f64; 3],
-    pub reserved: [u64; 6],
+    pub first_touch_count: usize,
+    pub reserved: [u64; 5],
 }
 
 #[repr(C)]

@@ -20,11 +20,12 @@ class Pressed:
         self.law, self.penetration, self.friction = law, penetration, friction
         self.factors = np.random.default_rng(5).standard_normal(self.basis.N)
 
-    def solved(self, push=0.0, young=0.0, height=0.0):
+    def solved(self, push=0.0, young=0.0, height=0.0, straight=True):
         contact = SkfemContact(self.basis, stiffness=self.law, friction_coefficient=self.friction)
         self.inner = contact.contact
         up = np.eye(self.dim)[-1]
-        self.inner.obstacles.add_half_space(0 * up, up + 0.03 * np.eye(self.dim)[0])
+        normal = up + 0.03 * np.eye(self.dim)[0]
+        self.inner.obstacles.add_half_space(0 * up, normal)
         if self.friction:
             contact.begin_step(np.zeros(self.basis.N))
         self.inner.obstacles.set_pose(0, self.posed(height))
@@ -32,7 +33,7 @@ class Pressed:
         end[self.held.all(f"u^{self.dim}")] = -0.03 - push
         if self.friction:
             end[self.held.all("u^1")] = 0.004
-        options = {"penetration": self.penetration, "tolerance": 1e-13, "max_updates": 200, "max_iterations": 2000}
+        options = {"penetration": self.penetration, "tolerance": 1e-13, "max_updates": 200, "max_iterations": 2000, "straight_slip": straight}
         return find_equilibrium(lambda u: ((1 + young) * (self.matrix @ u), (1 + young) * self.matrix), contact, 0 * end, self.free, end, **options)
 
     def posed(self, height):
@@ -72,6 +73,13 @@ def in_space():
 @pytest.mark.parametrize("friction", [0.0, 0.3], ids=["smooth", "friction"])
 def test_the_law_alone(scene, friction):
     assert Pressed(*scene(), 3000.0, None, friction).compare(1e-7, 1e-6) == 0
+
+
+def test_a_gap_that_is_closed_with_friction_is_told():
+    pressed = Pressed(*in_space(), 3000.0, None, 0.3)
+    found = pressed.solved(straight=False)
+    assert found.first_touches == 1
+    assert any("closed a gap" in text for text in found.adjoint(pressed.factors).warnings)
 
 
 @pytest.mark.parametrize("scene", [second_order, in_space])

@@ -137,8 +137,13 @@ pub struct fmc_equilibrium_options {
     /// 1: the host is checked at the start, and nothing is solved. The checks compare the residual with the matrix, and test signs,
     /// symmetry and rigid motions. The search ends with `FMC_REQUEST_FOUND`, and `fmc_equilibrium_text` has a sentence for each. Default 0.
     pub check: i32,
+    /// 1: slip counts straight from the start of the step, also of pairs that touch later in it. Derivatives of the equilibrium then hold no
+    /// place of first touch. Default 0: from where a gap closes.
+    pub straight_slip: i32,
+    /// Zero.
+    pub reserved_flags: u32,
     /// Zero. Room for options of later versions.
-    pub reserved: [u64; 5],
+    pub reserved: [u64; 4],
 }
 
 impl Default for fmc_equilibrium_options {
@@ -155,7 +160,9 @@ impl Default for fmc_equilibrium_options {
             lagged: defaults.is_lagged.into(),
             find_patches: defaults.finds_patches.into(),
             check: defaults.is_check.into(),
-            reserved: [0; 5],
+            straight_slip: defaults.is_slip_straight.into(),
+            reserved_flags: 0,
+            reserved: [0; 4],
         }
     }
 }
@@ -166,7 +173,7 @@ impl fmc_equilibrium_options {
             let text = "the options of an equilibrium were not set by fmc_equilibrium_options_init";
             return Err(Failure::new(FMC_ERROR_STRUCT_SIZE, text));
         }
-        if self.reserved != [0; 5] {
+        if self.reserved != [0; 4] || self.reserved_flags != 0 {
             return Err(Failure::new(
                 FMC_ERROR_RESERVED_FIELD,
                 "a reserved field of the options of an equilibrium is not zero",
@@ -189,6 +196,7 @@ impl fmc_equilibrium_options {
             is_lagged: switch("lagged", self.lagged)?,
             finds_patches: switch("find_patches", self.find_patches)?,
             is_check: switch("check", self.check)?,
+            is_slip_straight: switch("straight_slip", self.straight_slip)?,
         })
     }
 }

@@ -54,8 +54,11 @@ pub struct fmc_equilibrium_result {
     pub unheld_body: i64,
     /// Unit vector along which it moves; zeros for a rotation.
     pub unheld_direction: [f64; 3],
+    /// Pairs whose slip counts from where they first touched in this step: they were apart at its start. Derivatives of the equilibrium hold
+    /// these places.
+    pub first_touch_count: usize,
     /// Zero.
-    pub reserved: [u64; 6],
+    pub reserved: [u64; 5],
 }
 
 impl Default for fmc_equilibrium_result {
@@ -77,7 +80,8 @@ impl Default for fmc_equilibrium_result {
             penetration: -1.0,
             unheld_body: 0,
             unheld_direction: [0.0; 3],
-            reserved: [0; 6],
+            first_touch_count: 0,
+            reserved: [0; 5],
         }
     }
 }
@@ -100,6 +104,7 @@ impl<const D: usize> From<&Found<D>> for fmc_equilibrium_result {
             part_count: found.parts,
             loose_count: found.loose_count,
             update_count: found.updates,
+            first_touch_count: found.first_touches,
             text_count: found.warnings.len(),
             penetration: found.penetration.unwrap_or(-1.0),
             ..Self::default()

@@ -2,8 +2,9 @@
 
 use crate::Error;
 use crate::contact::evaluation::{Contact, kernels};
+use crate::contact::friction::Step;
 use crate::contact::mesh::Offsets;
-use crate::geometry::Vector;
+use crate::geometry::{Surface, Vector};
 use crate::overlap::Partner;
 use std::collections::BTreeSet;
 
@@ -136,6 +137,8 @@ fn replace<const D: usize>(contact: &mut Contact<D>, offsets: Offsets<D>) {
     if let Some(step) = &mut history.step {
         step.place(&mesh.surface, |points| mesh.placed(points.into()));
     }
+    let place = |step: &mut Step<D>, surface: &Surface<D>| step.place(surface, |points| mesh.placed(points.into()));
+    history.first_touches.place(&mesh.surface, place);
     if let Some(frozen) = &mut history.frozen {
         frozen.coords.place(|points| mesh.placed(points.into()));
     }

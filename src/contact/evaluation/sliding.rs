@@ -34,7 +34,7 @@ pub(super) fn wearing<'a, const D: usize>(
     let Some(coefficients) = wear_of_step(contact, &measured.pair.partners) else { return Ok(None) };
     let sliding = match sliding(contact, coords, measured)? {
         Some(sliding) => sliding,
-        None => free(contact.history.step()?, coords),
+        None => free(contact.history.step_of(&measured.pair.partners).ok_or(Error::NoStep)?, coords),
     };
     Ok(Some((sliding, coefficients)))
 }
@@ -54,7 +54,7 @@ pub(super) fn wearing_freely<'a, const D: usize>(
     let Contact { partners, method, history, .. } = contact;
     let pair = &measured.pair.partners;
     let wears = partners.table.wear(pair).is_some() && !partners.friction_of(pair, method.options()).is_active();
-    history.step.as_ref().filter(|_| wears).map(|step| free(step, coords))
+    history.step_of(pair).filter(|_| wears).map(|step| free(step, coords))
 }
 
 /// All of the slip of what nothing holds is slid, whatever the slip from which friction without memory would act in full.
@@ -82,7 +82,7 @@ fn sliding_of<'a, const D: usize>(
 ) -> Result<Option<Sliding<'a, D>>, Error> {
     let Contact { mesh, partners, method, history, .. } = contact;
     let friction = partners.friction_of(pair, method.options());
-    let Some(step) = history.step.as_ref().filter(|_| friction.is_active()) else { return Ok(None) };
+    let Some(step) = history.step_of(pair).filter(|_| friction.is_active()) else { return Ok(None) };
     let what = "friction with a law without a stiffness: set the stiffness of friction";
     let stick = match friction.memoryless_slip {
         Some(slip) => Stick::Memoryless(slip / history.sticking.max(f64::MIN_POSITIVE.sqrt())),

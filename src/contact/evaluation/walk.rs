@@ -53,7 +53,7 @@ pub(crate) fn for_each_pair_within<const D: usize, T: Send>(
 /// Partners that are not left out and whose boxes meet, or nearly do, ascending: for every body itself (if asked for),
 /// later bodies, obstacles.
 fn pairs<const D: usize>(contact: &Contact<D>, state: &State<D>, reach: f64, layer: f64) -> Vec<[Partner; 2]> {
-    let Contact { mesh, partners, method, .. } = contact;
+    let Contact { mesh, partners, method, history, .. } = contact;
     let table = &partners.table;
     let mut pairs = Vec::new();
     let meeting = state.configuration.meeting_bodies(reach.max(layer));
@@ -79,6 +79,7 @@ fn pairs<const D: usize>(contact: &Contact<D>, state: &State<D>, reach: f64, lay
             }
         }
     }
+    pairs.retain(|pair| !history.let_apart.contains(pair));
     pairs
 }
 

@@ -43,6 +43,16 @@ impl Bearings {
         (came_later || self.rules.of(pair) == now).then_some(&self.of_facets)
     }
 
+    /// Whether nothing bore.
+    pub(crate) fn are_none(&self) -> bool {
+        self.of_facets.is_empty()
+    }
+
+    /// Whether any facet of a pair bore.
+    pub(crate) fn has(&self, pair: &[Partner; 2]) -> bool {
+        self.of_facets.range((*pair, false, 0)..=(*pair, true, usize::MAX)).next().is_some()
+    }
+
     /// The same of other cells of the mesh; `facet` is the new number of a facet, if it is still there.
     pub(crate) fn of_cells(self, facet: impl Fn(usize) -> Option<usize>) -> Self {
         let of = |((partners, of_b, old), bearing)| facet(old).map(|new| ((partners, of_b, new), bearing));

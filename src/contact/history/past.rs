@@ -1,6 +1,7 @@
 //! The steps of a contact, and what is held during one.
 
 use super::bearings::Bearings;
+use super::first_touches::FirstTouches;
 use super::kept_patches::KeptPatches;
 use super::last::LastEquilibrium;
 use super::multipliers::Multipliers;
@@ -12,6 +13,7 @@ use crate::contact::wear::Worn;
 use crate::geometry::Surface;
 use crate::interfaces::LawFields;
 use crate::overlap::Partner;
+use std::collections::BTreeSet;
 
 /// What was begun, kept and frozen.
 pub(crate) struct History<const D: usize> {
@@ -19,6 +21,8 @@ pub(crate) struct History<const D: usize> {
     pub(crate) step: Option<Step<D>>,
     /// How facets bore there, where that was measured.
     pub(crate) bearings: Option<Bearings>,
+    /// Where pairs first touched that were apart there, where that is known: they have nothing to do with the way before.
+    pub(crate) first_touches: FirstTouches<D>,
     /// Facets and pressures at which friction is frozen.
     pub(crate) frozen: Option<FrozenFriction<D>>,
     /// Part of their stiffness with which facets stick while a search leads to where they do, 0 for none; else 1.
@@ -40,6 +44,8 @@ pub(crate) struct History<const D: usize> {
     pub(crate) time_step: f64,
     /// Factor by which the contact was made stiffer since it was made.
     pub(crate) stiffened: f64,
+    /// Pairs that are left out while a search asks how bodies would move without their contact.
+    pub(crate) let_apart: BTreeSet<[Partner; 2]>,
     /// Where tangents are those of surfaces that are apart, while an equilibrium without contact is sought: nowhere else, should the
     /// search be left there.
     pub(crate) apart_at: Option<Vec<[f64; D]>>,
@@ -52,10 +58,18 @@ pub(crate) struct History<const D: usize> {
 pub(crate) struct Begun<const D: usize> {
     step: Option<Step<D>>,
     bearings: Option<Bearings>,
+    first_touches: FirstTouches<D>,
     worn: Worn<D>,
     damage: Damage,
     of_laws: LawHistory,
     stiffened: f64,
+}
+
+impl<const D: usize> Begun<D> {
+    /// The same with these places of first touch.
+    pub(crate) fn with_first_touches(self, first_touches: FirstTouches<D>) -> Self {
+        Self { first_touches, ..self }
+    }
 }
 
 impl<const D: usize> History<D> {
@@ -63,6 +77,7 @@ impl<const D: usize> History<D> {
         Self {
             step: None,
             bearings: None,
+            first_touches: FirstTouches::default(),
             frozen: None,
             sticking: 1.0,
             patches: KeptPatches::none(),
@@ -74,6 +89,7 @@ impl<const D: usize> History<D> {
             law_fields: LawFields::default(),
             time_step: 0.0,
             stiffened: 1.0,
+            let_apart: BTreeSet::new(),
             apart_at: None,
             last: None,
         }
@@ -82,6 +98,7 @@ impl<const D: usize> History<D> {
     /// Begins a step; frozen friction is released.
     pub(crate) fn begin(&mut self, step: Step<D>, bearings: Option<Bearings>) {
         (self.step, self.bearings) = (Some(step), bearings);
+        self.first_touches = FirstTouches::default();
         self.release_friction();
     }
 
@@ -95,12 +112,13 @@ impl<const D: usize> History<D> {
     pub(crate) fn begun(&self) -> Begun<D> {
         let (step, bearings, worn) = (self.step.clone(), self.bearings.clone(), self.worn.clone());
         let (damage, of_laws) = (self.damage.clone(), self.of_laws.clone());
-        Begun { step, bearings, worn, damage, of_laws, stiffened: self.stiffened }
+        let first_touches = self.first_touches.clone();
+        Begun { step, bearings, first_touches, worn, damage, of_laws, stiffened: self.stiffened }
     }
 
     /// Goes on with a step that was laid aside; frozen friction is released. As [`Self::stiffen`].
     pub(crate) fn take_up(&mut self, begun: Begun<D>, is_slip_of_law: bool) {
-        (self.step, self.bearings) = (begun.step, begun.bearings);
+        (self.step, self.bearings, self.first_touches) = (begun.step, begun.bearings, begun.first_touches);
         self.release_friction();
         (self.worn, self.damage, self.of_laws) = (begun.worn, begun.damage, begun.of_laws);
         if is_slip_of_law {
@@ -135,6 +153,24 @@ impl<const D: usize> History<D> {
         self.step.as_ref().ok_or(Error::NoStep)
     }
 
+    /// That from where the slip of a pair counts: from its first touch, where that is known.
+    pub(crate) fn step_of(&self, pair: &[Partner; 2]) -> Option<&Step<D>> {
+        self.first_touches.of(pair).or(self.step.as_ref())
+    }
+
+    /// Whether a pair bore nothing where the step began, and nothing is known of its first touch.
+    pub(crate) fn was_apart(&self, pair: &[Partner; 2]) -> bool {
+        let is_of_pair = |step: &Step<D>| step.slip.keys().any(|(partners, ..)| partners == pair);
+        let bore = self.bearings.as_ref().is_none_or(|bearings| bearings.has(pair));
+        !bore && !self.first_touches.is_known(pair) && !self.step.as_ref().is_some_and(is_of_pair)
+    }
+
+    /// Whether nothing that rubs bore where the step began, and nothing is known of a first touch.
+    pub(crate) fn was_all_apart(&self) -> bool {
+        let bore_nothing = self.bearings.as_ref().is_some_and(Bearings::are_none);
+        bore_nothing && self.first_touches.are_none() && self.step.as_ref().is_some_and(|step| step.slip.is_empty())
+    }
+
     /// Sets the elastic slip that was carried into the step; frozen friction, which stands on the old one, is released.
     pub(crate) fn set_slip(&mut self, slip: CarriedSlip<D>) -> Result<(), Error> {
         self.step.as_mut().ok_or(Error::NoStep)?.slip = slip;
@@ -166,6 +202,7 @@ impl<const D: usize> History<D> {
         if let Some(step) = &mut self.step {
             step.slip.retain(|(partners, ..), _| !partners.contains(&partner));
         }
+        self.first_touches.forget(partner);
         self.leave_out(|partners| partners.contains(&partner));
     }
 
@@ -193,6 +230,7 @@ impl<const D: usize> History<D> {
         self.release_patches();
         self.release_friction();
         self.bearings = self.bearings.take().map(|bearings| bearings.of_cells(&facet));
+        self.first_touches = FirstTouches::default();
         self.step = self.step.take().zip(started).map(|(step, points)| step.of_cells(surface, points, facet));
     }
 

@@ -46,16 +46,16 @@ impl<const D: usize> Motion<D> {
         (0..=count).map(|k| self.at(k as f64 / count as f64)).collect()
     }
 
-    fn at(&self, part: f64) -> Pose<D> {
+    /// The pose at a part of the way.
+    pub(crate) fn at(&self, part: f64) -> Pose<D> {
         if part == 0.0 {
             return self.from;
         }
         if part == 1.0 {
             return self.to;
         }
-        let (sine, cosine) = (part * self.angle).sin_cos();
-        let turn = SMatrix::identity() + self.axis * sine + self.axis * self.axis * (1.0 - cosine);
-        let rotation = turn * SMatrix::<f64, D, D>::from_fn(|i, j| self.from.rotation[i][j]);
+        let rotation =
+            turn_about(&self.axis, part * self.angle) * SMatrix::<f64, D, D>::from_fn(|i, j| self.from.rotation[i][j]);
         let between = |a: f64, b: f64| a + part * (b - a);
         Pose {
             position: std::array::from_fn(|i| between(self.from.position[i], self.to.position[i])),
@@ -63,6 +63,12 @@ impl<const D: usize> Motion<D> {
             scale: between(self.from.scale, self.to.scale),
         }
     }
+}
+
+/// The rotation by an angle about the axis that a skew matrix has, that of a unit vector.
+pub(crate) fn turn_about<const D: usize>(axis: &SMatrix<f64, D, D>, angle: f64) -> SMatrix<f64, D, D> {
+    let (sine, cosine) = angle.sin_cos();
+    SMatrix::identity() + axis * sine + axis * axis * (1.0 - cosine)
 }
 
 /// The skew matrix of the axis of a half turn; in 2D it is counter-clockwise.

@@ -425,7 +425,9 @@ class fmc_equilibrium_options(Structure):
         ("lagged", c_int32),
         ("find_patches", c_int32),
         ("check", c_int32),
-        ("reserved", c_uint64 * 5),
+        ("straight_slip", c_int32),
+        ("reserved_flags", c_uint32),
+        ("reserved", c_uint64 * 4),
     ]
 
 
@@ -490,7 +492,8 @@ class fmc_equilibrium_result(Structure):
         ("penetration", c_double),
         ("unheld_body", c_int64),
         ("unheld_direction", c_double * 3),
-        ("reserved", c_uint64 * 6),
+        ("first_touch_count", c_size_t),
+        ("reserved", c_uint64 * 5),
     ]
 
 

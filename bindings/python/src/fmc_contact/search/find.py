@@ -34,6 +34,7 @@ def find_equilibrium(
     reach: float = 0.0,
     max_updates: int = 20,
     find_patches: bool = False,
+    straight_slip: bool = False,
 ) -> Equilibrium:
     """Equilibrium of bodies in contact at the end of a load step, by the library's search.
 
@@ -90,6 +91,9 @@ def find_equilibrium(
     find_patches : bool
         With the law ``"fiber"``: whether patches are kept at the start, follow the contact far from its equilibrium, and are recomputed near it.
         Otherwise you keep them.
+    straight_slip : bool
+        With friction: whether all slip counts straight from the start of the step, also of pairs that touch later. Derivatives are then complete.
+        Default: from where a gap closes.
 
     Returns
     -------
@@ -133,6 +137,7 @@ def find_equilibrium(
         "reach": reach,
         "max_updates": count("max_updates", max_updates, 0),
         "find_patches": int(find_patches),
+        "straight_slip": int(straight_slip),
     }
     search = Search(bodies, unknowns, begin, solved_for, end, options, steps)
     search.run()
@@ -203,6 +208,7 @@ def _ended(search: Search, contact: Any, begin: np.ndarray, end: Optional[np.nda
         result.update_count,
         result.penetration if result.penetration >= 0 else None,
         texts,
+        result.first_touch_count,
     )
     # No field: it is no result, and the adjoint alone reads it.
     found.__dict__["_end"] = End(*asked, contact, search.unknowns, search.solved_for, x, found.result.forces, reach, slip_of(search.unknowns.inner))

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ..contact import Contact
+from ..errors import UnsupportedError
 from ..gradients import names_of
 from .history_step import BY, Begun, Handed, StepAdjoint, back_through, refuse
 from .outcome import Equilibrium
@@ -247,6 +248,9 @@ class History:
         self.solved += 1
         found = self.solve(step, begun.x.copy())
         refuse(self.contact)
+        if found.first_touches:
+            what = "derivatives of a history in which bodies close a gap and rub in one step"
+            raise UnsupportedError(f"{what}, step {step}: end a step where they touch, or solve with straight_slip=True")
         return found
 
     def _committed(self, found: Equilibrium) -> Begun:

@@ -66,6 +66,8 @@ class Equilibrium:
         Largest mean penetration of a node at the solution (length), if it was measured.
     warnings : list of str
         Remarks on the search, for example on bodies in unstable balance. The contact's own warnings are ``result.warnings``.
+    first_touches : int
+        Pairs whose slip counts from where they first touched in this step: they were apart at its start. Derivatives hold these places.
 
     Examples
     --------
@@ -88,6 +90,7 @@ class Equilibrium:
     updates: int = 0
     penetration: Optional[float] = None
     warnings: list[str] = field(default_factory=list)
+    first_touches: int = 0
 
     def __getstate__(self) -> dict[str, Any]:
         # Copies are of the result alone: bodies and contact are no part of it.
@@ -134,4 +137,10 @@ class Equilibrium:
         end: Optional[End] = self.__dict__.get("_end")
         if end is None:
             raise ValueError("this equilibrium is not one of find_equilibrium")
-        return adjoint(end, by_x, by_forces, by)
+        found = adjoint(end, by_x, by_forces, by)
+        if self.first_touches:
+            found.warnings.append(
+                f"{self.first_touches} pairs closed a gap in this step, and the places where they first touched are held: the derivative of their "
+                "friction is not complete; end a step where they touch, or search with straight_slip=True"
+            )
+        return found

@@ -31,6 +31,9 @@ pub struct DriverOptions {
     pub is_check: bool,
     /// Whether friction is frozen, solved for, and frozen again, all the way.
     pub is_lagged: bool,
+    /// Whether all slip counts straight from the start of the step, also of pairs that touch later: derivatives of the equilibrium then hold no
+    /// place of first touch.
+    pub is_slip_straight: bool,
 }
 
 impl Default for DriverOptions {
@@ -47,6 +50,7 @@ impl Default for DriverOptions {
             finds_patches: false,
             is_check: false,
             is_lagged: false,
+            is_slip_straight: false,
         }
     }
 }

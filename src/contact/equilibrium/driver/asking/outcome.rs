@@ -34,6 +34,8 @@ pub struct Found<const D: usize> {
     pub parts: usize,
     /// Rigid motions that the host's matrix does not hold, or hardly.
     pub loose_count: usize,
+    /// Pairs of which friction counts the slip from where they first touched, and not from the start of the step.
+    pub first_touches: usize,
     /// Updates of the multipliers.
     pub updates: usize,
     /// Largest mean penetration of a node, where that was measured.

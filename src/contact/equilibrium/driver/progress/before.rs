@@ -3,7 +3,7 @@
 use crate::contact::changes::friction_steps::take_up;
 use crate::contact::equilibrium::augmentation::AllMultipliers;
 use crate::contact::evaluation::Contact;
-use crate::contact::history::Begun;
+use crate::contact::history::{Begun, FirstTouches};
 use std::sync::{Arc, Mutex, PoisonError};
 
 /// The step that has begun and the multipliers, with the stiffness that they belong to.
@@ -19,9 +19,20 @@ impl<const D: usize> Before<D> {
         Self { begun, multipliers: contact.all_multipliers(), stiffened }
     }
 
+    /// The same with the places of first touch that are known now.
+    pub(crate) fn with_first_touches(self, contact: &Contact<D>) -> Self {
+        Self { begun: self.begun.with_first_touches(contact.history.first_touches.clone()), ..self }
+    }
+
+    /// The same without any.
+    pub(crate) fn without_first_touches(self) -> Self {
+        Self { begun: self.begun.with_first_touches(FirstTouches::default()), ..self }
+    }
+
     /// Goes on from there. Friction is neither frozen nor softer.
     pub(crate) fn put_back(self, contact: &mut Contact<D>) {
         contact.history.apart_at = None;
+        contact.history.let_apart.clear();
         if contact.history.stiffened != self.stiffened {
             // The factor was accepted the other way.
             let _ = contact.stiffen(self.stiffened / contact.history.stiffened);

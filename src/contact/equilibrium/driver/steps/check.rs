@@ -33,6 +33,7 @@ pub(crate) async fn check_host<const D: usize>(asking: Asking<D>, step: LoadStep
             way: Way::Nearest,
             solves: 0,
             rigid_steps: 0,
+            first_touches: 0,
             parts: 0,
             loose_count: 0,
             updates: 0,

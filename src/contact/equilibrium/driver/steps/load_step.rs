@@ -18,6 +18,7 @@ use crate::contact::equilibrium::driver::progress::stood::Former;
 use crate::contact::equilibrium::driver::progress::updates::Updates;
 use crate::contact::equilibrium::driver::told::told_breaking::with_what_breaks;
 use crate::contact::equilibrium::driver::told::uncommitted::uncommitted;
+use crate::contact::history::FirstTouches;
 use std::sync::Arc;
 
 /// All of it. After a refusal the contact's history has to become what is `kept`.
@@ -28,7 +29,11 @@ pub(crate) async fn load_step<const D: usize>(
 ) -> Result<Found<D>, Refusal> {
     let host = Host::new(asking, step.unknowns.clone());
     // A search that was left where it was may have left it.
-    host.contact(|contact| (contact.history.apart_at, contact.history.sticking) = (None, 1.0)).await;
+    host.contact(|contact| {
+        (contact.history.apart_at, contact.history.sticking) = (None, 1.0);
+        contact.history.let_apart.clear();
+    })
+    .await;
     let is_found = host.contact(|contact| contact.options().law.is_without_stiffness()).await;
     let (unknowns, x) = (step.unknowns.clone(), step.x.clone());
     let former = host.contact(move |contact| Former::of(contact, &unknowns, &x)).await;
@@ -99,6 +104,14 @@ async fn prepared<const D: usize>(
     let is_new = layers::complete(host, &assembly, &step.x).await?;
     let (has_friction, has_begun) = host.contact(|contact| (contact.has_friction(), contact.slip().is_ok())).await;
     let changes = host.contact(|contact| contact.has_history() || contact.partners.table.has_wear()).await;
+    let here = coords.clone();
+    host.contact(move |contact| {
+        // The same step is tried again.
+        if contact.history.step.as_ref().is_some_and(|step| *step.coords.given() == here) {
+            contact.history.first_touches = FirstTouches::default();
+        }
+    })
+    .await;
     if (has_friction || changes) && !has_begun {
         host.contact(move |contact| contact.begin_step(&coords)).await?;
     } else if has_friction && is_new {

@@ -1,6 +1,7 @@
 //! A load step in one part, or, where that fails, in several.
 
-use super::attempt::{LoadStep, Reached, equilibrium};
+use super::attempt::{LoadStep, Reached, balanced, equilibrium};
+use super::first_touch::{first_of_all, first_touches};
 use crate::Error;
 use crate::contact::equilibrium::driver::asking::host::System;
 use crate::contact::equilibrium::driver::asking::outcome::Found;
@@ -46,6 +47,10 @@ const IN_ORDER: f64 = 1e-3;
 /// Part of the diagonal that holds loose bodies while what is prescribed moves.
 const SHIFT: f64 = 1e-9;
 
+/// What is said where nothing is found with slip that counts from there.
+const STRAIGHT: &str = "bodies that were apart touch in this step, and no equilibrium was found with slip counted from where they touch: it counts \
+    as if they had come there straight from the start of the step; end a step where they touch";
+
 /// How often something was done, and what was in the way.
 #[derive(Default)]
 struct Counts {
@@ -68,6 +73,13 @@ pub(crate) async fn in_parts<const D: usize>(search: &mut Search<D>, step: &Load
     let start = falling_load(search, start).await?;
     let (mut x, mut done, mut part, mut counts) = (step.x.clone(), 0.0, 1.0, Counts::default());
     let mut adrift = None;
+    let mut is_at_touch = match first_of_all(search, step).await? {
+        Some(touching) => {
+            x = touching;
+            true
+        }
+        None => false,
+    };
     loop {
         let until = if done + part > 1.0 - 1e-9 { 1.0 } else { done + part };
         // What did not balance at the start is taken off little by little.
@@ -83,10 +95,21 @@ pub(crate) async fn in_parts<const D: usize>(search: &mut Search<D>, step: &Load
                 search.warnings.truncate(told);
                 search.host.contact(|contact| before.put_back(contact)).await;
             }
-            Ok(reached) if until == 1.0 => return finished(search, reached, &counts).await,
+            Ok(reached) if until == 1.0 => {
+                let before = (done == 0.0).then_some(before);
+                let reached = from_first_touch(search, reached, (&target, before), &mut counts).await?;
+                return finished(search, reached, &counts).await;
+            }
             Ok(reached) => {
+                is_at_touch = false;
                 (x, done) = (reached.state.x, until);
                 part = (2.0 * part).min(1.0 - done);
+            }
+            Err(_) if is_at_touch => {
+                // From where the step began, with slip that counts straight until something is found.
+                (x, is_at_touch) = (step.x.clone(), false);
+                search.warnings.truncate(told);
+                search.host.contact(|contact| before.without_first_touches().put_back(contact)).await;
             }
             Err(trouble @ (Trouble::Unheld(..) | Trouble::Hopeless(_))) => return Err(trouble),
             // Of what went wrong, that a body came to no rest says most.
@@ -153,6 +176,47 @@ async fn led<const D: usize>(
             return Err(not_reached(search, counts));
         }
         x = equilibrium(search, &x, &mut counts.rigid_steps).await?.state.x;
+    }
+}
+
+/// The equilibrium with slip that counts from where pairs first touched: from the last of these places, with the contact as it was `before`, else
+/// from where it was found.
+async fn from_first_touch<const D: usize>(
+    search: &mut Search<D>,
+    reached: Reached<D>,
+    (target, before): (&[f64], Option<Before<D>>),
+    counts: &mut Counts,
+) -> Result<Reached<D>, Trouble> {
+    let found = search.host.contact(|contact| Before::of(contact)).await;
+    let Some(x) = first_touches(search, &reached.state).await? else { return Ok(reached) };
+    let Reached { state, verdict, way } = reached;
+    let state = state.again(&search.host).await?;
+    let is_same = search.balance.judge(&search.host, &search.assembly, &state).await? != Verdict::Not;
+    let reached = Reached { state, verdict, way };
+    if is_same {
+        return Ok(reached);
+    }
+    let told = search.warnings.len();
+    if let Some(before) = before {
+        let here = search.host.contact(|contact| Before::of(contact)).await;
+        search.host.contact(|contact| before.with_first_touches(contact).put_back(contact)).await;
+        match led(search, &x, (target, true), counts).await {
+            Ok(again) => return Ok(again),
+            Err(_) => search.host.contact(|contact| here.put_back(contact)).await,
+        }
+        search.warnings.truncate(told);
+    }
+    search.begin_attempt();
+    search.updates.begin(true);
+    match balanced(search, &reached.state.x).await {
+        Ok(again) => Ok(again),
+        Err(_) => {
+            search.warnings.truncate(told);
+            search.host.contact(|contact| found.put_back(contact)).await;
+            search.warn(STRAIGHT.to_owned());
+            let state = reached.state.again(&search.host).await?;
+            Ok(Reached { state, ..reached })
+        }
     }
 }
 
@@ -275,6 +339,11 @@ async fn finished<const D: usize>(
     standing(search, &reached.state).await?;
     kept(search, &reached.state).await;
     let State { x, contact, residual, .. } = reached.state;
+    let pairs: Vec<[Partner; 2]> = contact.pairs.iter().map(|pair| [pair.a, pair.b]).collect();
+    let first_touches = search
+        .host
+        .contact(move |contact| pairs.iter().filter(|pair| contact.history.first_touches.of(pair).is_some()).count());
+    let first_touches = first_touches.await;
     Ok(Found {
         x,
         contact,
@@ -284,6 +353,7 @@ async fn finished<const D: usize>(
         rigid_steps: counts.rigid_steps,
         parts: counts.parts,
         loose_count: search.motions.count(),
+        first_touches,
         updates: search.updates.count,
         penetration: search.updates.found,
         residuals: std::mem::take(&mut search.balance.history),
