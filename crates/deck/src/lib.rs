@@ -3,6 +3,8 @@
 //! ```text
 //! read       keywords, sets, materials, steps: what the file says, each with its line
 //! analysis   bodies, pairs, supports and loads: what it means for the mesh
+//! layer      rigid faces as the front of a layer of cells
+//! profile    analytical rigid surfaces as faces
 //! results    tables, VTU and FRD files of every step
 //! ```
 //!
@@ -11,6 +13,8 @@
 
 mod analysis;
 mod fault;
+mod layer;
+mod profile;
 mod read;
 mod results;
 

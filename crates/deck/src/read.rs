@@ -1,13 +1,15 @@
 //! What a file says: its keywords in their order, each with its line.
 //!
-//! `deck` (all of it) · `scope` (which keyword stands where) · `words` (parameters that a keyword may have) · `names` (nodes, elements and
+//! `deck` (all of it) · `file` (how it is read) · `scope` (which keyword stands where) · `words` (parameters that a keyword may have) · `names` (nodes, elements and
 //! their sets) · `elements` (types that are solved, and their faces) · `material`, `section` · `amplitude` · `surface` ·
-//! `interaction` (pairs, friction, ties) · `general` (contact of all with all) · `equation` (linear constraints) · `rigid` (nodes of a reference node) · `step` (supports and loads) · `transform` (local axes) · `output` (keywords that change nothing) · `note` (what is taken in another sense)
+//! `interaction` (pairs, friction, ties) · `general` (contact of all with all) · `equation` (linear constraints) · `rigid` (nodes of a reference node) · `analytical`, `rigid_elements`, `rigid_faces` (rigid surfaces, as layers) · `step` (supports and loads) · `transform` (local axes) · `rows` (nodes and elements) · `output` (keywords that change nothing) · `note` (what is taken in another sense)
 
 mod amplitude;
+mod analytical;
 mod deck;
 mod elements;
 mod equation;
+mod file;
 mod general;
 mod interaction;
 mod material;
@@ -15,6 +17,9 @@ mod names;
 mod note;
 mod output;
 mod rigid;
+mod rigid_elements;
+mod rigid_faces;
+mod rows;
 mod scope;
 mod section;
 mod step;

@@ -6,10 +6,10 @@
 use super::{Instance, Mesh};
 use crate::excerpt::shortened;
 use anyhow::{Context, Result, anyhow, bail, ensure};
-pub use element_name::cell_type_of_element;
+pub use element_name::{cell_type_of_element, rigid_corners};
 pub use included::Expanded;
 pub use lines::{Keyword, Lines, fields, label, number};
-use motion::Motion;
+pub use motion::Motion;
 use part::Part;
 use std::collections::{HashMap, HashSet};
 use std::path::Path;
@@ -69,10 +69,11 @@ struct Deck {
 /// The mesh of a file, with the files that it includes, which stand in its folder.
 pub(super) fn parse(bytes: &[u8], path: Option<&Path>) -> Result<Mesh> {
     let whole = Expanded::new(&String::from_utf8_lossy(bytes), path)?;
-    of_text(&whole.text).map_err(|error| anyhow!("{}", whole.in_files(&format!("{error:#}"))))
+    of_text(&whole.text, false).map_err(|error| anyhow!("{}", whole.in_files(&format!("{error:#}"))))
 }
 
-pub(super) fn of_text(text: &str) -> Result<Mesh> {
+/// `leaves_rigid` leaves out rigid elements, which have no inside, as what reads them itself asks for.
+pub(super) fn of_text(text: &str, leaves_rigid: bool) -> Result<Mesh> {
     let mut lines = Lines::new(text);
     let mut deck = Deck::default();
     let (mut scope, mut begun) = (Scope::Model, 0);
@@ -100,6 +101,9 @@ pub(super) fn of_text(text: &str) -> Result<Mesh> {
         let part = deck.part_of(scope);
         match name.as_str() {
             "NODE" => part.read_nodes(&keyword, &mut lines)?,
+            "ELEMENT" if leaves_rigid && keyword.value("TYPE").is_some_and(|kind| rigid_corners(kind).is_some()) => {
+                part.leave_elements(&keyword);
+            }
             "ELEMENT" => part.read_elements(&keyword, &mut lines)?,
             // Sets of the assembly are of elements of its instances, which are bodies already.
             "ELSET" if scope != Scope::Assembly => part.sets.read(&keyword, &mut lines)?,

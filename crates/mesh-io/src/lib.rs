@@ -52,12 +52,14 @@ pub enum Kind {
 }
 
 /// A part of a file that is there once or several times, each a body: its numbers are unique within it only.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Instance {
     /// Its name in the file.
     pub name: String,
     /// Its nodes among those of the mesh.
     pub nodes: Range<usize>,
+    /// Where it stands.
+    pub motion: inp::Motion,
 }
 
 /// A mesh as it stands in a file.
@@ -110,12 +112,12 @@ impl Mesh {
         Ok(mesh)
     }
 
-    /// The mesh of an Abaqus input file that has been read.
+    /// The mesh of an Abaqus input file that has been read, without its rigid elements.
     ///
     /// # Errors
     /// If it is damaged or has no cells; messages name lines of the text.
     pub fn of_input(input: &inp::Expanded) -> Result<Self> {
-        let mesh = inp::of_text(&input.text)?;
+        let mesh = inp::of_text(&input.text, true)?;
         ensure!(
             !mesh.blocks.is_empty(),
             "line 1: there are no elements that fill an area or a volume; is this an input file of Abaqus or CalculiX?"
@@ -124,7 +126,7 @@ impl Mesh {
     }
 
     /// Adds a cell after those already there.
-    fn push(&mut self, cell_type: CellType, nodes: impl IntoIterator<Item = u32>, tag: u64, group: Option<i64>) {
+    pub fn push(&mut self, cell_type: CellType, nodes: impl IntoIterator<Item = u32>, tag: u64, group: Option<i64>) {
         if self.blocks.last().is_none_or(|block| block.cell_type != cell_type) {
             self.blocks.push(Block { cell_type, conn: Vec::new(), tags: Vec::new(), groups: Vec::new() });
         }

@@ -25,6 +25,8 @@ pub(crate) struct Places {
     pub(crate) cells: Vec<usize>,
     /// Whether displacements are finite.
     pub(crate) is_finite: bool,
+    /// Whether each body is a layer behind rigid faces.
+    pub(crate) is_layer: Vec<bool>,
 }
 
 impl Places {
@@ -100,7 +102,9 @@ impl Places {
         })?;
         let cells: Vec<usize> = of_body.into_iter().flatten().collect();
         let model = model.with_incompatible_modes(|cell| deck.elements[cells[cell]].has_modes());
-        Ok((Self { node_of, body_of, nodes, cells, is_finite }, model))
+        let mut is_layer = vec![false; count];
+        body_of.iter().zip(&deck.elements).for_each(|(&body, row)| is_layer[body] |= row.is_rigid());
+        Ok((Self { node_of, body_of, nodes, cells, is_finite, is_layer }, model))
     }
 }
 
@@ -170,6 +174,14 @@ fn materials(deck: &Deck, is_finite: bool) -> Result<Vec<(Material, usize)>, Fau
                 }
             }
         }
+    }
+    // Rigid surfaces have no section: of their stiffness nothing is felt, and the contact stiffness takes that of the stiffest body.
+    let young = |material: &Material| material.young;
+    let stiffest = found.iter().flatten().map(|(material, _)| *material).max_by(|p, q| young(p).total_cmp(&young(q)));
+    for (row, found) in deck.elements.iter().zip(&mut found).filter(|(row, _)| row.is_rigid()) {
+        let law = if is_finite { Law::NeoHookean } else { Law::LinearElastic };
+        let material = stiffest.map(|stiffest| Material { law, poisson: 0.0, density: 1.0, ..stiffest });
+        *found = found.take().or_else(|| Some((material?, row.line)));
     }
     for (row, (found, (_, _, label, _))) in deck.elements.iter().zip(found.iter_mut().zip(deck.mesh.cells())) {
         let Some((material, _)) = found.as_mut().filter(|_| row.kind.starts_with("CPS")) else { continue };

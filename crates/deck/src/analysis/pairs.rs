@@ -99,7 +99,11 @@ pub(super) fn pairs<const D: usize>(deck: &Deck, bodies: Bodies<D>) -> Result<Pa
         let is_all = row.surfaces[0].is_empty();
         let count = bodies.model.parts().len();
         let chosen = match is_all {
-            true => (0..count).flat_map(|a| (a..count).map(move |b| [a, b])).collect(),
+            // Rigid surfaces do not press one another.
+            true => {
+                let every = (0..count).flat_map(|a| (a..count).map(move |b| [a, b]));
+                every.filter(|pair| !pair.iter().all(|&body| bodies.places.is_layer[body])).collect()
+            }
             false => between(deck, bodies, row.line, &row.surfaces, is_self)?,
         };
         let mut part = Part::new();

@@ -202,6 +202,8 @@ fn members<'a, const D: usize>(
                     cells[cell].1.iter().try_for_each(|&node| add(node as usize, row.line))?;
                 }
             }
+            // The reader has made elements of it.
+            Members::Analytical(_) => {}
             Members::Nodes(set) => {
                 let nodes = deck.names.find(Kind::Node, instance, set, row.line)?;
                 nodes.into_iter().try_for_each(|node| add(node, row.line))?;

@@ -65,6 +65,11 @@ fn faces_of<const D: usize>(
     let all: Vec<_> = deck.mesh.cells().collect();
     let of = |cell: usize| {
         let (cell_type, nodes, ..) = all[cell];
+        if letter == 'P' && deck.elements[cell].is_rigid() {
+            let (label, kind) = (all[cell].2, &deck.elements[cell].kind);
+            let message = format!("element {label} of type {kind} is rigid: put a force on its reference node");
+            return Err(Fault::new(line, message));
+        }
         let local = face_corners(cell_type).get(face);
         let local = local.ok_or_else(|| no_face(deck, cell, line, letter, &format!("{letter}{}", face + 1)))?;
         Ok(key(bodies, nodes, local))
@@ -142,7 +147,10 @@ fn gravity<const D: usize>(
     cells.iter().for_each(|&cell| counts[bodies.places.body_of[cell]][0] += 1);
     bodies.places.body_of.iter().for_each(|&body| counts[body][1] += 1);
     let mut forces = vec![[0.0; D]; bodies.model.node_count()];
-    for (body, [of_set, of_body]) in counts.into_iter().enumerate().filter(|(_, counts)| counts[0] > 0) {
+    // Rigid surfaces have no weight.
+    let with_weight = |body: usize, counts: &[i32; 2]| counts[0] > 0 && !bodies.places.is_layer[body];
+    for (body, [of_set, of_body]) in counts.into_iter().enumerate().filter(|(body, counts)| with_weight(*body, counts))
+    {
         let part = &bodies.model.parts()[body];
         if of_set < of_body {
             return Err(Fault::new(

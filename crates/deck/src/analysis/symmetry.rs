@@ -6,7 +6,7 @@ use std::collections::BTreeSet;
 /// Part of the size of all bodies up to which a node lies in a plane: files have seven digits.
 const IN_PLANE: f64 = 1e-6;
 
-/// Planes x, y or z = const that bound the model, all of whose faces are held across them: each by a point and a normal. Nothing can come
+/// Planes x, y or z = const that bound all bodies but rigid surfaces, all of whose faces are held across them: each by a point and a normal. Nothing can come
 /// to such faces from behind, so they are no surface that contact could press. `held` are the nodes and axes that never move. None at all
 /// where a body would have no surface left.
 pub(super) fn planes<const D: usize>(bodies: Bodies<D>, held: &BTreeSet<(usize, usize)>) -> Vec<[[f64; D]; 2]> {
@@ -15,7 +15,10 @@ pub(super) fn planes<const D: usize>(bodies: Bodies<D>, held: &BTreeSet<(usize, 
         .map(|part| bodies.model.faces_where(part, |_| true).into_iter().map(|face| face.nodes).collect())
         .collect();
     let ends = |axis: usize| {
-        let along = coords.iter().map(|x| x[axis]);
+        // Rigid surfaces may go on beyond a plane.
+        let solid =
+            (0..count).filter(|&part| !bodies.places.is_layer[part]).flat_map(|part| bodies.model.nodes_of(part));
+        let along = solid.map(|node| coords[node][axis]);
         along.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], x| [low.min(x), high.max(x)])
     };
     let size = (0..D).map(|axis| ends(axis)[1] - ends(axis)[0]).fold(0.0, f64::max);

@@ -10,7 +10,7 @@ pub(super) fn notes<const D: usize>(deck: &Deck, bodies: Bodies<D>) -> Vec<Note>
     let mut notes = Vec::new();
     for (row, &body) in deck.elements.iter().zip(&bodies.places.body_of) {
         let is_linear = bodies.model.parts()[body].material.law != Law::NeoHookean;
-        if known.contains(&(row.kind.as_str(), is_linear)) {
+        if row.is_rigid() || known.contains(&(row.kind.as_str(), is_linear)) {
             continue;
         }
         known.push((&row.kind, is_linear));

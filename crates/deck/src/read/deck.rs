@@ -10,6 +10,8 @@ use super::names::{Kind, Names};
 use super::note::Note;
 use super::output::{instead, sampled, unused};
 use super::rigid::{RigidKind, RigidRow};
+use super::rigid_elements::RigidElements;
+use super::rows::{Rows, element_rows, take_rows};
 use super::scope::Scope;
 use super::section::SectionRow;
 use super::step::Step;
@@ -17,10 +19,9 @@ use super::surface::Surfaces;
 use super::transform::TransformRow;
 use super::words::only;
 use crate::Fault;
-use fmc_mesh_io::inp::{Expanded, Keyword, Lines, fields, label};
+use fmc_mesh_io::inp::{Expanded, Keyword, Lines, fields};
 use fmc_mesh_io::{Kind as Filled, Mesh};
 use std::collections::BTreeMap;
-use std::path::Path;
 
 /// What a file says.
 pub struct Deck {
@@ -49,14 +50,6 @@ pub struct Deck {
     input: Expanded,
 }
 
-/// Elements under one keyword: where they and it stand, their type, and their labels with their lines.
-struct Rows {
-    scope: Scope,
-    line: usize,
-    kind: String,
-    labels: Vec<(u64, usize)>,
-}
-
 /// What a keyword may belong to that stands before it.
 #[derive(Default)]
 struct Open {
@@ -67,29 +60,11 @@ struct Open {
     /// Requests of output, with the lines where they come first.
     requests: Vec<(String, usize)>,
     elements: Vec<Rows>,
+    rigid: Vec<RigidElements>,
     general: Option<GeneralRow>,
 }
 
 impl Deck {
-    /// Reads a file, with those that it includes.
-    ///
-    /// # Errors
-    /// A sentence that begins with the file, and the line if it is about one.
-    pub fn read(path: &Path) -> Result<Self, String> {
-        let named = |error: &dyn std::fmt::Display| format!("{}: {error}", path.display());
-        let bytes = std::fs::read(path).map_err(|error| named(&error))?;
-        let input =
-            Expanded::new(&String::from_utf8_lossy(&bytes), Some(path)).map_err(|e| named(&format!("{e:#}")))?;
-        let located = |input: &Expanded, fault: Fault| format!("{}: {}", input.source(fault.line), fault.message);
-        let mesh = Mesh::of_input(&input).map_err(|error| located(&input, error.into()))?;
-        let text = input.text.clone();
-        let mut deck = Self::empty(mesh, input);
-        match deck.take(&text) {
-            Ok(()) => Ok(deck),
-            Err(fault) => Err(deck.located(&fault)),
-        }
-    }
-
     /// A fault as editors know it: file, line and sentence.
     pub fn located(&self, fault: &Fault) -> String {
         format!("{}: {}", self.input.source(fault.line), fault.message)
@@ -120,7 +95,8 @@ impl Deck {
         self.elements.iter().any(|row| is_ring(&row.kind))
     }
 
-    fn empty(mesh: Mesh, input: Expanded) -> Self {
+    /// Of a mesh, without its keywords.
+    pub(super) fn empty(mesh: Mesh, input: Expanded) -> Self {
         Self {
             names: Names::new(&mesh),
             mesh,
@@ -143,7 +119,8 @@ impl Deck {
         }
     }
 
-    fn take(&mut self, text: &str) -> Result<(), Fault> {
+    /// Takes all keywords, and returns the rigid elements, which the mesh does not have.
+    pub(super) fn take(&mut self, text: &str) -> Result<Vec<RigidElements>, Fault> {
         let mut lines = Lines::new(text);
         let mut open = Open::default();
         loop {
@@ -168,8 +145,8 @@ impl Deck {
             let said = unused(name).unwrap_or_default();
             self.notes.push(Note::new(*line, format!("*{name}: {said}")));
         }
-        self.elements = self.element_rows(&open.elements);
-        Ok(())
+        self.elements = element_rows(&self.names, self.mesh.cell_count(), &open.elements);
+        Ok(open.rigid)
     }
 
     fn take_keyword(&mut self, keyword: &Keyword, lines: &mut Lines, open: &mut Open) -> Result<(), Fault> {
@@ -228,8 +205,12 @@ impl Deck {
             "INCLUDE" if keyword.parameters.iter().any(|(name, _)| name != "INPUT") => only(keyword, &["INPUT"])?,
             // Its text stands in its place.
             "INCLUDE" => {}
-            "NODE" => drop(self.take_rows(Kind::Node, 1, keyword, &scope, lines)?),
+            "NODE" => drop(take_rows(&mut self.names, (Kind::Node, 1), keyword, &scope, lines)?),
             "ELEMENT" => {
+                if let Some(rows) = RigidElements::read(keyword, &scope, lines, &mut self.names)? {
+                    open.rigid.push(rows);
+                    return Ok(());
+                }
                 let kind = keyword.required("TYPE")?;
                 let cell_type = solved(keyword.line, kind)?;
                 if self.mesh.cells().next().is_some_and(|(first, ..)| first.dimension() != cell_type.dimension()) {
@@ -241,7 +222,8 @@ impl Deck {
                         format!("elements of type {kind} together with {}: axisymmetric and plane bodies", other.kind);
                     return Err(Fault::new(keyword.line, message));
                 }
-                let labels = self.take_rows(Kind::Cell, cell_type.node_count() + 1, keyword, &scope, lines)?;
+                let labels =
+                    take_rows(&mut self.names, (Kind::Cell, cell_type.node_count() + 1), keyword, &scope, lines)?;
                 open.elements.push(Rows { scope, line: keyword.line, kind: kind.to_uppercase(), labels });
             }
             "NSET" => self.names.read(Kind::Node, keyword, &scope, lines)?,
@@ -329,51 +311,5 @@ impl Deck {
             }
         }
         Ok(())
-    }
-
-    /// Passes over rows of nodes or elements, which the mesh has, and puts their labels into the set that the keyword names. Returns
-    /// the labels with their lines.
-    fn take_rows(
-        &mut self,
-        kind: Kind,
-        size: usize,
-        keyword: &Keyword,
-        scope: &Scope,
-        lines: &mut Lines,
-    ) -> Result<Vec<(u64, usize)>, Fault> {
-        let (parameter, known): (_, &[&str]) = match kind {
-            Kind::Node => ("NSET", &["NSET", "SYSTEM", "INPUT"]),
-            Kind::Cell => ("ELSET", &["TYPE", "ELSET", "INPUT"]),
-        };
-        only(keyword, known)?;
-        let mut labels = Vec::new();
-        while let Some((line, text)) = lines.data() {
-            let mut count = fields(text).count();
-            labels.push((label(line, fields(text).next().unwrap_or_default())?, line));
-            // An element may take several lines.
-            while count < size && kind == Kind::Cell {
-                let Some((_, more)) = lines.data() else { break };
-                count += fields(more).count();
-            }
-        }
-        if let Some(set) = keyword.value(parameter) {
-            self.names.put(kind, scope, set, keyword.line, &labels);
-        }
-        Ok(labels)
-    }
-
-    /// Line and type of every element.
-    fn element_rows(&self, blocks: &[Rows]) -> Vec<ElementRow> {
-        let mut found = vec![ElementRow { line: 1, keyword: 1, kind: String::new() }; self.mesh.cell_count()];
-        for Rows { scope, line: keyword, kind, labels } in blocks {
-            for instance in self.names.instances_of(scope) {
-                for &(label, line) in labels {
-                    if let Some(cell) = self.names.cell(instance, label) {
-                        found[cell] = ElementRow { line, keyword: *keyword, kind: kind.clone() };
-                    }
-                }
-            }
-        }
-        found
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::Fault;
 use fmc_contact::CellType;
-use fmc_mesh_io::inp::cell_type_of_element;
+use fmc_mesh_io::inp::{cell_type_of_element, rigid_corners};
 
 /// Where an element stands, and its type as the file has it.
 #[derive(Clone, Debug)]
@@ -17,6 +17,11 @@ impl ElementRow {
     /// Its type without the letters of a variant, and these letters.
     pub(crate) fn stem(&self) -> (&str, &str) {
         stem(&self.kind)
+    }
+
+    /// Whether it is the front of a layer: a rigid element, or a face of an analytical surface.
+    pub(crate) fn is_rigid(&self) -> bool {
+        rigid_corners(&self.kind).is_some() || self.kind == "ANALYTICAL SURFACE"
     }
 
     /// Whether it has incompatible modes, as far as its type says.
@@ -44,9 +49,6 @@ pub(super) fn solved(line: usize, name: &str) -> Result<CellType, Fault> {
         (true, Some(cell_type)) if !upper.ends_with(['T', 'P']) => Ok(cell_type),
         (true, _) => refused("temperatures and pore pressures are not known".to_owned()),
         _ if upper.starts_with("M3D") => refused("membranes are not known".to_owned()),
-        _ if upper.starts_with("R3D") => {
-            refused("rigid surfaces have no inside: take a tool of solid elements and *RIGID BODY".to_owned())
-        }
         _ => refused(format!("known are {}, with their variants R, I, H, M", SOLVED.join(", "))),
     }
 }

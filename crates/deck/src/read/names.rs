@@ -154,6 +154,18 @@ impl Names {
         self.labels.get(&(Kind::Cell, instance, label)).copied()
     }
 
+    /// The node with a label.
+    pub(super) fn node(&self, instance: Option<usize>, label: u64) -> Option<usize> {
+        self.keys(instance).into_iter().find_map(|key| self.labels.get(&(Kind::Node, key, label)).copied())
+    }
+
+    /// Adds an element that the mesh will have as `cell`, its last until now; `false` if its label is there already.
+    pub(super) fn add_cell(&mut self, instance: Option<usize>, label: u64, cell: usize, nodes: &[usize]) -> bool {
+        self.nodes_of_cells.extend(nodes.iter().map(|&node| node as u32));
+        self.first_nodes.push(self.nodes_of_cells.len());
+        self.labels.insert((Kind::Cell, instance, label), cell).is_none()
+    }
+
     /// Where labels of an instance are kept; those of no instance also where the model or the assembly has them.
     fn keys(&self, instance: Option<usize>) -> Vec<Option<usize>> {
         let rest = self.instances.iter().enumerate().filter(|(_, other)| instance.is_none() && !other.is_placed);

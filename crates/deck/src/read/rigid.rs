@@ -29,6 +29,8 @@ pub(crate) enum Members {
     Nodes(String),
     /// The nodes of a surface.
     Surface(String),
+    /// An analytical surface, until its elements are made.
+    Analytical(String),
 }
 
 /// How nodes and their reference node go together.
@@ -45,20 +47,27 @@ pub(crate) enum RigidKind {
 impl RigidRow {
     /// Reads `*RIGID BODY`.
     pub(super) fn read_body(keyword: &Keyword, scope: &Scope, lines: &mut Lines) -> Result<Self, Fault> {
-        let known = ["REF NODE", "ROT NODE", "ELSET", "NSET", "TIE NSET", "PIN NSET", "POSITION", "ISOTHERMAL"];
+        let sets = ["ELSET", "NSET", "TIE NSET", "PIN NSET", "ANALYTICAL SURFACE"];
+        let known = [&["REF NODE", "ROT NODE"][..], &sets, &["POSITION", "ISOTHERMAL"]].concat();
         only(keyword, &known)?;
         one_of(keyword, "POSITION", &["INPUT"])?;
         one_of(keyword, "ISOTHERMAL", &["NO"])?;
         no_more(keyword, lines)?;
-        let sets = ["ELSET", "NSET", "TIE NSET", "PIN NSET"].into_iter();
         let named = |name: &str| keyword.value(name).filter(|set| !set.is_empty()).map(str::to_owned);
         let of = |name: &str| {
             let set = named(name)?;
-            Some(if name == "ELSET" { Members::Elements(set) } else { Members::Nodes(set) })
+            Some(match name {
+                "ELSET" => Members::Elements(set),
+                "ANALYTICAL SURFACE" => Members::Analytical(set),
+                _ => Members::Nodes(set),
+            })
         };
-        let members: Vec<Members> = sets.filter_map(of).collect();
+        let members: Vec<Members> = sets.into_iter().filter_map(of).collect();
         if members.is_empty() {
-            return Err(Fault::new(keyword.line, "*RIGID BODY needs an ELSET, NSET, TIE NSET or PIN NSET"));
+            return Err(Fault::new(
+                keyword.line,
+                "*RIGID BODY needs an ELSET, NSET, TIE NSET, PIN NSET or ANALYTICAL SURFACE",
+            ));
         }
         let rotating = named("ROT NODE");
         Self::new(keyword, scope, ("*RIGID BODY", members), (rotating, RigidKind::Follows([true; 3])))

@@ -1,6 +1,7 @@
 //! Input files from their keywords to their results.
 
 mod adjust;
+mod analytical_surfaces;
 mod bending;
 mod blocks;
 mod blocks_text;
@@ -16,6 +17,7 @@ mod pair_surfaces;
 mod refusals;
 mod reports;
 mod rigid;
+mod rigid_surfaces;
 mod rings;
 mod rubber;
 mod scene;

@@ -224,7 +224,7 @@ fn what_reference_nodes_cannot_do_is_refused_by_line() {
         (BODY, "*RIGID BODY, ELSET=PUNCH, REF NODE=1\n", "the reference node 1 belongs to an element"),
         (BODY, "*RIGID BODY, ELSET=PUNCH, REF NODE=BASE_LOW\n", "is more than one node"),
         (BODY, "*RIGID BODY, ELSET=PUNCH\n", "*RIGID BODY has no REF NODE="),
-        (BODY, "*RIGID BODY, REF NODE=REF\n", "needs an ELSET, NSET, TIE NSET or PIN NSET"),
+        (BODY, "*RIGID BODY, REF NODE=REF\n", "needs an ELSET, NSET, TIE NSET, PIN NSET or ANALYTICAL SURFACE"),
         (
             BODY,
             "*RIGID BODY, ELSET=PUNCH, REF NODE=REF, POSITION=CENTER OF MASS\n",

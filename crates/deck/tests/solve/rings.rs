@@ -5,7 +5,7 @@ use fmc_deck::{Analysis, Deck, SolveOptions};
 use std::f64::consts::PI;
 use std::fmt::Write;
 
-const MATERIAL: &str = "*MATERIAL, NAME=M\n*ELASTIC\n1000., 0.3\n";
+pub(crate) const MATERIAL: &str = "*MATERIAL, NAME=M\n*ELASTIC\n1000., 0.3\n";
 
 /// A section of `CAX8` between two radii of height 1 with labels from `first`: sets `NAME`, `NAME_NODES`, and surfaces `S_NAME_IN` and `S_NAME_OUT`.
 fn ring(name: &str, first: usize, [inner, outer]: [f64; 2], cells: usize) -> String {
@@ -75,7 +75,7 @@ fn a_press_fit_has_its_pressure() {
 }
 
 /// Columns and rows, graded towards the origin, of `CAX4`: `height` is that of the lowest row at a radius, or of the highest.
-fn graded(name: &str, first: usize, top: f64, surface: &dyn Fn(f64) -> f64) -> String {
+pub(crate) fn graded(name: &str, first: usize, top: f64, surface: &dyn Fn(f64) -> f64) -> String {
     let count = 44;
     // Even cells of 0.004 in the contact, then growing.
     let at: Vec<f64> =

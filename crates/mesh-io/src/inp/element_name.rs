@@ -105,6 +105,16 @@ pub fn cell_type_of_element(name: &str) -> Option<CellType> {
     }
 }
 
+/// Corners of a rigid element of this name, a line or a face; none for all others.
+pub fn rigid_corners(name: &str) -> Option<usize> {
+    match name.to_uppercase().as_str() {
+        "R2D2" | "RAX2" => Some(2),
+        "R3D3" => Some(3),
+        "R3D4" => Some(4),
+        _ => None,
+    }
+}
+
 impl Cell {
     /// The place in the file of our node `number`.
     pub(super) fn place(&self, number: usize) -> usize {

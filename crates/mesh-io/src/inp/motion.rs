@@ -4,12 +4,13 @@ use super::lines::{Lines, fields, number};
 use anyhow::{Result, ensure};
 
 /// Moved first, then turned (Abaqus Analysis User's Guide, "Assembly definition").
-#[derive(Default)]
-pub(super) struct Motion {
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Motion {
     translation: [f64; 3],
     rotation: Option<Rotation>,
 }
 
+#[derive(Clone, Debug, PartialEq)]
 struct Rotation {
     /// A point of the axis.
     centre: [f64; 3],
@@ -39,7 +40,7 @@ impl Motion {
     }
 
     /// Where a point of the part is in the assembly.
-    pub(super) fn place(&self, point: [f64; 3]) -> [f64; 3] {
+    pub fn place(&self, point: [f64; 3]) -> [f64; 3] {
         let moved: [f64; 3] = std::array::from_fn(|axis| point[axis] + self.translation[axis]);
         let Some(Rotation { centre, axis, cos, sin }) = &self.rotation else { return moved };
         // Rodrigues' formula.

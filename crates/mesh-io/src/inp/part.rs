@@ -90,6 +90,13 @@ impl Part {
         Ok(())
     }
 
+    /// Passes over `*ELEMENT`; other sets may name its set all the same.
+    pub(super) fn leave_elements(&mut self, keyword: &Keyword) {
+        if let Some(set) = keyword.value("ELSET").filter(|name| !name.is_empty()) {
+            self.sets.add_places(set, 0..0);
+        }
+    }
+
     fn read_row<'a>(&mut self, line: usize, entries: impl Iterator<Item = &'a str>) -> Result<()> {
         for entry in entries {
             self.conn.push(label(line, entry)?);

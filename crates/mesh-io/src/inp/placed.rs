@@ -43,6 +43,8 @@ impl Deck {
         let unused = self.instances.is_empty() && !self.parts.is_empty();
         ensure!(!unused, "it has parts, but no *INSTANCE of any in an *ASSEMBLY");
         let (pieces, names) = self.pieces();
+        let motions =
+            self.instances.iter().map(|placed| placed.motion.clone()).chain(std::iter::repeat_with(Motion::default));
         let total = |count: fn(&Part) -> usize| pieces.iter().map(|piece| count(piece.part)).sum::<usize>();
         let most = total(|part| part.points.len()).max(total(Part::entry_count));
         ensure!(most <= MOST.max(size), "its instances have {most} nodes of cells, too many for one mesh");
@@ -55,7 +57,8 @@ impl Deck {
         }
         if !names.is_empty() {
             mesh.group_names = (1..).zip(names.iter().cloned()).collect();
-            mesh.instances = names.into_iter().map(|name| Instance { name, nodes: 0..0 }).collect();
+            mesh.instances =
+                names.into_iter().zip(motions).map(|(name, motion)| Instance { name, nodes: 0..0, motion }).collect();
             let mut first = 0;
             for piece in &pieces {
                 let instance = &mut mesh.instances[piece.instance.unwrap_or(0)];
