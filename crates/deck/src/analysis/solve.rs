@@ -237,14 +237,14 @@ fn on_axis<const D: usize>(deck: &Deck, bodies: Bodies<D>, held: &BTreeSet<(usiz
     Some(Note { line: deck.elements.first().map_or(1, |row| row.line), message })
 }
 
-/// A body that is tied is not separated from the others by itself: it goes with those that it is tied to.
+/// A body that is tied is not driven off by itself: it goes with those that it is tied to.
 fn unheld<const D: usize>(error: StaticsError, at: &Equilibrium<D>, pairs: &Pairs) -> StaticsError {
     let is_tied = |name: &String| {
         let mut bodies = pairs.tied_by.keys().flatten();
         bodies.any(|&body| at.model().parts()[body].name == *name)
     };
     match error {
-        StaticsError::Separated { body, motion } if is_tied(&body) => StaticsError::Unsupported { body, motion },
+        StaticsError::Adrift { body, motion, .. } if is_tied(&body) => StaticsError::Unsupported { body, motion },
         error => error,
     }
 }

@@ -24,12 +24,14 @@ pub enum StaticsError {
         /// How it can move, as in "translation along x".
         motion: String,
     },
-    /// The load drives a body where it meets nothing.
-    Separated {
+    /// The load drives a body on: away from all others, or along them.
+    Adrift {
         /// Its name.
         body: String,
         /// How it moves.
         motion: String,
+        /// Whether it may be held by friction.
+        has_friction: bool,
     },
     /// With the linear law the pressure cannot exceed the stiffness: the bodies pass through one another.
     PeakPressureAboveStiffness {
@@ -84,8 +86,12 @@ impl fmt::Display for StaticsError {
             Self::Unsupported { body, motion } => {
                 write!(f, "'{body}' is not supported: neither supports nor contact resist its {motion}")
             }
-            Self::Separated { body, motion } => {
-                write!(f, "'{body}' is separated from the other bodies: its load drives it off, by {motion}")
+            Self::Adrift { body, motion, has_friction } => {
+                let rubs = if *has_friction { ". Its load may be more than friction holds" } else { "" };
+                write!(
+                    f,
+                    "'{body}' does not come to rest: its load drives it on, by {motion}, and neither supports nor other bodies stop it{rubs}"
+                )
             }
             Self::PeakPressureAboveStiffness { stiffness, penetration, smoothing_length } => write!(
                 f,

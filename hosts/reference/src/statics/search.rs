@@ -137,7 +137,7 @@ impl<const D: usize> Equilibrium<D> {
     fn refused(&self, refusal: &Refusal, load: f64) -> StaticsError {
         if let Some(unheld) = &refusal.unheld {
             let (body, motion) = self.motion_of(unheld);
-            return StaticsError::Separated { body, motion };
+            return StaticsError::Adrift { body, motion, has_friction: self.has_friction() };
         }
         match &refusal.error {
             Some(fmc_contact::Error::InvertedCell { cell, .. } | fmc_contact::Error::FoldedCell { cell, .. }) => {

@@ -27,12 +27,12 @@ fn a_disc_that_may_slide_is_not_supported() {
 }
 
 #[test]
-fn a_disc_that_is_lifted_is_separated() {
+fn a_disc_that_is_lifted_is_adrift() {
     let mut problem = disc();
     problem.load.iter_mut().flatten().for_each(|f| *f = -*f);
     let (error, _) = failure(problem, 60);
     let motion = "translation along y".to_owned();
-    assert_eq!(error, StaticsError::Separated { body: "disc".into(), motion });
+    assert_eq!(error, StaticsError::Adrift { body: "disc".into(), motion, has_friction: false });
 }
 
 #[test]
