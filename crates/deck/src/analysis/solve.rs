@@ -80,8 +80,8 @@ impl<'a, const D: usize> Analysis<'a, D> {
         // Every step is read once before the first is solved: a wrong name in the last is known at once.
         let mut held: Option<BTreeSet<(usize, usize)>> = None;
         for step in &deck.steps {
-            state.begin(deck, bodies, step)?;
             let undeformed = vec![[0.0; D]; bodies.model.node_count()];
+            state.begin(deck, bodies, step, &undeformed)?;
             for time in state.stages() {
                 state.at(deck, bodies, time, &undeformed)?;
             }
@@ -143,7 +143,7 @@ impl<'a, const D: usize> Analysis<'a, D> {
         let mut kept = Kept::Model(self.model);
         for (number, step) in self.deck.steps.iter().enumerate() {
             let bodies = Bodies { model: kept.model(), places: &self.places };
-            self.state.begin(self.deck, bodies, step)?;
+            self.state.begin(self.deck, bodies, step, kept.displacement().unwrap_or(&undeformed))?;
             let (mut before, mut taken, mut halvings) = (0.0, 0, kept.halvings());
             for time in self.state.stages() {
                 let bodies = Bodies { model: kept.model(), places: &self.places };

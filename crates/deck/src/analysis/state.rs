@@ -1,6 +1,7 @@
 //! What is held and loaded, step after step.
 
 mod borne;
+mod fixed;
 
 use super::Bodies;
 use super::equations::{self, Eliminated, Equation, Known};
@@ -72,8 +73,15 @@ impl<const D: usize> State<D> {
             end: When { time: 0.0, period: 0.0, begun: 0.0 },
             left_out: None,
         };
+        let undeformed = vec![[0.0; D]; bodies.model.node_count()];
         for row in &deck.initial.boundaries {
-            state.hold(deck, bodies, row)?;
+            if row.is_fixed {
+                return Err(Fault::new(
+                    row.line,
+                    "FIXED of *BOUNDARY stands within a *STEP: it holds nodes where the step finds them",
+                ));
+            }
+            state.hold(deck, bodies, row, &undeformed)?;
         }
         Ok(state)
     }
@@ -83,8 +91,14 @@ impl<const D: usize> State<D> {
         &self.faces
     }
 
-    /// Begins a step; what it does not mention stays.
-    pub(super) fn begin(&mut self, deck: &Deck, bodies: Bodies<D>, step: &Step) -> Result<(), Fault> {
+    /// Begins a step at a displacement; what it does not mention stays.
+    pub(super) fn begin(
+        &mut self,
+        deck: &Deck,
+        bodies: Bodies<D>,
+        step: &Step,
+        displacement: &[[f64; D]],
+    ) -> Result<(), Fault> {
         let end = self.end;
         let point_values = self.supports.values_mut().chain(self.forces.values_mut()).map(|(value, line)| {
             *line = 0;
@@ -101,7 +115,7 @@ impl<const D: usize> State<D> {
         }
         let begun = end.begun + end.period;
         for row in &step.boundaries {
-            self.hold(deck, bodies, row)?;
+            self.hold(deck, bodies, row, displacement)?;
         }
         for load in &step.loads {
             self.load(deck, bodies, load)?;
@@ -234,7 +248,7 @@ impl<const D: usize> State<D> {
         self.end.begun + time
     }
 
-    fn hold(&mut self, deck: &Deck, bodies: Bodies<D>, row: &Boundary) -> Result<(), Fault> {
+    fn hold(&mut self, deck: &Deck, bodies: Bodies<D>, row: &Boundary, displacement: &[[f64; D]]) -> Result<(), Fault> {
         let amplitude = amplitude(deck, row.amplitude.as_ref(), row.line)?;
         let asked = Asked { line: row.line, is_motion: true, is_named: row.is_named, value: row.value };
         for point in points(deck, bodies, &self.references, (&row.set, row.line))? {
@@ -244,9 +258,10 @@ impl<const D: usize> State<D> {
                     self.leave_out((deck, bodies), (point, axis), row);
                     continue;
                 };
+                let fixed = row.is_fixed.then(|| self.reached(bodies, place, displacement));
                 let before = self.supports.get(&place).or_else(|| self.released.get(&place));
                 let start = before.map_or(0.0, |(value, _)| value.first(self.end));
-                let value = Timed::new(start, row.value, amplitude.clone());
+                let value = Timed::new(fixed.unwrap_or(start), fixed.unwrap_or(row.value), amplitude.clone());
                 let now = self.supports.get(&place).filter(|(_, line)| *line != 0);
                 if let Some((_, line)) = now.filter(|(other, _)| !other.goes_with(&value)) {
                     let label = match point {

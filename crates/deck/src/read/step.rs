@@ -14,6 +14,8 @@ pub(crate) struct Boundary {
     pub(crate) axes: [usize; 2],
     /// Whether a name as `ENCASTRE` stands for the axes: points without rotations leave these out.
     pub(crate) is_named: bool,
+    /// Whether they stay where the step finds them.
+    pub(crate) is_fixed: bool,
     pub(crate) value: f64,
     pub(crate) amplitude: Option<String>,
 }
@@ -169,8 +171,16 @@ impl Step {
 
     /// Reads `*BOUNDARY`.
     pub(super) fn read_boundary(&mut self, keyword: &Keyword, lines: &mut Lines) -> Result<(), Fault> {
-        only(keyword, &["OP", "AMPLITUDE", "TYPE"])?;
+        only(keyword, &["OP", "AMPLITUDE", "TYPE", "FIXED"])?;
         one_of(keyword, "TYPE", &["DISPLACEMENT"])?;
+        one_of(keyword, "FIXED", &[""])?;
+        let is_fixed = keyword.value("FIXED").is_some();
+        if is_fixed && keyword.value("AMPLITUDE").is_some() {
+            return Err(Fault::new(
+                keyword.line,
+                "*BOUNDARY, FIXED holds nodes where they are, and takes no AMPLITUDE",
+            ));
+        }
         self.take_op(keyword, 0)?;
         let amplitude = keyword.value("AMPLITUDE").map(str::to_uppercase);
         while let Some((line, text)) = lines.data() {
@@ -182,6 +192,7 @@ impl Step {
                 set: set.clone(),
                 axes,
                 is_named,
+                is_fixed,
                 value,
                 amplitude: amplitude.clone(),
             };
@@ -213,6 +224,12 @@ impl Step {
             let last = axis(entries.get(2))?.unwrap_or(first);
             // Without a fourth field they are held where they are.
             let value = if entries.len() < 4 { 0.0 } else { required(line, &entries, 4, "the displacement")? };
+            if is_fixed && value != 0.0 {
+                return Err(Fault::new(
+                    line,
+                    format!("*BOUNDARY, FIXED holds nodes where they are, and not at {value}"),
+                ));
+            }
             if last < first || entries.len() > 4 {
                 return Err(Fault::new(line, "expected a set, first and last degree of freedom, and a value"));
             }

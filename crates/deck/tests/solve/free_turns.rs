@@ -4,7 +4,7 @@ use crate::blocks_text::{block, elastic};
 use crate::scene::{said_in, solved_text};
 
 /// A column with a rigid plate as its top, and a punch beside its reference node, which tilts it.
-fn plate(step: &str) -> String {
+pub(crate) fn plate(step: &str) -> String {
     block("BASE", 1, [2, 2, 2], [[0.0; 3], [2.0, 1.5, 3.0]])
         + &block("PLATE", 101, [2, 2, 1], [[-0.2, 0.1, 3.01], [1.7, 1.6, 3.4]])
         + "*NODE, NSET=REF\n900, 2., -1., 4.\n"

@@ -7,6 +7,7 @@ mod blocks;
 mod blocks_text;
 mod elements;
 mod equations;
+mod fixed;
 mod frd;
 mod free_turns;
 mod friction;
