@@ -2,7 +2,7 @@
 //!
 //! `deck` (all of it) · `file` (how it is read) · `scope` (which keyword stands where) · `words` (parameters that a keyword may have) · `names` (nodes, elements and
 //! their sets) · `elements` (types that are solved, and their faces) · `material`, `section` · `amplitude` · `surface` ·
-//! `interaction` (pairs, friction, ties) · `general` (contact of all with all) · `equation` (linear constraints) · `rigid` (nodes of a reference node) · `analytical`, `rigid_elements`, `rigid_faces` (rigid surfaces, as layers) · `step` (supports and loads) · `transform` (local axes) · `rows` (nodes and elements) · `output` (keywords that change nothing) · `note` (what is taken in another sense)
+//! `interaction` (pairs, friction, ties) · `general` (contact of all with all) · `equation`, `mpc` (linear constraints) · `rigid` (nodes of a reference node) · `analytical`, `rigid_elements`, `rigid_faces` (rigid surfaces, as layers) · `step` (supports and loads) · `transform` (local axes) · `rows` (nodes and elements) · `output` (keywords that change nothing) · `note` (what is taken in another sense)
 
 mod amplitude;
 mod analytical;
@@ -13,6 +13,7 @@ mod file;
 mod general;
 mod interaction;
 mod material;
+mod mpc;
 mod names;
 mod note;
 mod output;

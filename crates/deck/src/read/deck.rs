@@ -6,6 +6,7 @@ use super::equation::EquationRow;
 use super::general::GeneralRow;
 use super::interaction::{Interaction, PairRow, TieRow};
 use super::material::MaterialRow;
+use super::mpc::Mpc;
 use super::names::{Kind, Names};
 use super::note::Note;
 use super::output::{instead, sampled, unused};
@@ -269,6 +270,12 @@ impl Deck {
             "COUPLING" if !open.is_in_step => self.rigid.push(RigidRow::begin_coupling(keyword, &scope, lines)?),
             "TRANSFORM" if !open.is_in_step => self.transforms.push(TransformRow::read(keyword, &scope, lines)?),
             "EQUATION" if !open.is_in_step => self.equations.extend(EquationRow::read(keyword, &scope, lines)?),
+            "MPC" if !open.is_in_step => {
+                let dimension = self.mesh.cells().next().map_or(3, |(cell_type, ..)| cell_type.dimension());
+                let Mpc { equations, rigid } = Mpc::read(keyword, &scope, lines, dimension)?;
+                self.equations.extend(equations);
+                self.rigid.extend(rigid);
+            }
             "KINEMATIC" | "DISTRIBUTING" => match self.rigid.last_mut().filter(|row| row.keyword == "*COUPLING") {
                 Some(row) => row.read_kind(keyword, lines)?,
                 None => return Err(Fault::new(keyword.line, format!("*{name} stands behind no *COUPLING"))),

@@ -52,6 +52,23 @@ fn joined_blocks_are_one_mesh_also_with_contact_beside() {
     assert!((force(joined) - force(merged)).abs() < 1e-6 * force(merged) && force(merged) > 1.0);
 }
 
+/// `PIN` and `TIE` join nodes as equations of all axes do, to the bit.
+#[test]
+fn nodes_of_mpc_go_with_others() {
+    let equations = column(false);
+    let start = equations.find("*EQUATION").unwrap();
+    let end = start + equations[start..].find("\n*NODE").unwrap();
+    let terms = |axis: usize| format!("2\nLOWER_HIGH, {axis}, 1., UPPER_LOW, {axis}, -1.\n");
+    let of = |name: &str, rows: &str| {
+        let text = format!("{}{rows}{}", &equations[..start], &equations[end + 1..]);
+        solved_text::<3>(name, &text).displacement
+    };
+    let expected = of("all-axes", &format!("*EQUATION\n{}{}{}", terms(1), terms(2), terms(3)));
+    for kind in ["PIN", "TIE"] {
+        assert_eq!(of("mpc", &format!("*MPC\n{kind}, LOWER_HIGH, UPPER_LOW\n")), expected);
+    }
+}
+
 /// A bar whose ends differ by the displacement of a node that belongs to no element.
 fn periodic(step: &str) -> String {
     block("BAR", 1, [1, 1, 3], [[0.0; 3], [2.0, 1.5, 6.0]])

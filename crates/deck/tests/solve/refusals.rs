@@ -57,7 +57,11 @@ fn what_is_not_known_is_named_by_its_line() {
         ("UTOP, P3, 10.", "UTOP, P3NU, 10.", "a load 'P3NU' is not known"),
         ("*DLOAD", "*DLOAD, AMPLITUDE=UP", "there is no amplitude 'UP'"),
         ("*BOUNDARY", "*EQUATION", "expected the number of terms of an equation"),
-        ("*BOUNDARY", "*MPC\nBEAM, 1, 2\n*BOUNDARY", "*MPC is not known"),
+        ("*BOUNDARY", "*MPC\nSLIDER, 1, 2\n*BOUNDARY", "*MPC of type SLIDER is not known, only BEAM, PIN and TIE"),
+        ("*BOUNDARY", "*MPC\nPIN, 1\n*BOUNDARY", "*MPC of type PIN needs two nodes or sets"),
+        ("*BOUNDARY", "*MPC\n*BOUNDARY", "*MPC has no data line"),
+        ("*BOUNDARY", "*MPC, MODE=NODE\nPIN, 1, 2\n*BOUNDARY", "*MPC, MODE is not known"),
+        ("*BOUNDARY", "*MPC\nBEAM, 3, 2\n*BOUNDARY", "the reference node 2 belongs to an element"),
         ("TYPE=CPE4", "TYPE=M3D4", "membranes are not known"),
         ("SUPPER, SLOWER", "SUPPER, SUPPER2\n*SURFACE, NAME=SUPPER2\nUTOP", "are surfaces of one body"),
         // Faces that an element does not have.

@@ -123,7 +123,8 @@ fn a_coupling_bears_force_and_moment() {
     let couplings = "*COUPLING, CONSTRAINT NAME=A, REF NODE=900, SURFACE=S_BAR_LOW\n*KINEMATIC\n1, 3\n\
                      *COUPLING, CONSTRAINT NAME=B, REF NODE=901, SURFACE=S_BAR_HIGH\n*KINEMATIC\n1, 6\n";
     let old = "*KINEMATIC COUPLING, REF NODE=900\nBAR_LOW, 1, 3\n*KINEMATIC COUPLING, REF NODE=901\nBAR_HIGH\n";
-    for couplings in [couplings, old] {
+    let beams = "*MPC\nBEAM, BAR_LOW, 900\nBEAM, BAR_HIGH, 901\n";
+    for couplings in [couplings, old, beams] {
         let text = bar(couplings, "*BOUNDARY\n900, ENCASTRE\n901, 3, 3, 0.1\n901, 1, 2\n901, 4, 6");
         let step = &solved_text::<3>("coupled", &text).steps[0];
         let [low, high] = [&step.references[0], &step.references[1]];
