@@ -152,6 +152,25 @@ fn loads_and_reactions_are_of_the_whole_ring() {
     }
 }
 
+/// A disc of `CAX8` in a stiff ring, pressed by a rigid plate: the pressure is E′ u/h of uniaxial strain, also at the axis, where the ring of a node has no area. The
+/// penetration takes 1e-3 of it at most.
+#[test]
+fn the_node_on_the_axis_has_a_pressure() {
+    let text = ring("DISC", 1, [0.0, 1.0], 4)
+        .replace("*SURFACE, NAME=S_DISC_IN", "*SURFACE, NAME=TOP\nDISC, S3\n*SURFACE, NAME=S_DISC_IN")
+        + MATERIAL
+        + "*NODE\n900, 0., 2.\n*SURFACE, TYPE=SEGMENTS, NAME=PLATE\nSTART, 2., 1.\nLINE, 0., 1.\n*RIGID BODY, ANALYTICAL SURFACE=PLATE, REF NODE=900\n\
+           *SURFACE INTERACTION, NAME=I\n*CONTACT PAIR, INTERACTION=I\nTOP, PLATE\n*BOUNDARY\nDISC_NODES, 1\n1, 2\n2, 2\n3, 2\n4, 2\n5, 2\n6, 2\n7, 2\n8, 2\n9, 2\n900, 1\n900, 6\n\
+           *STEP\n*STATIC\n*BOUNDARY\n900, 2, 2, -0.001\n*END STEP\n";
+    let solved = solved_text::<2>("axis-pressure", &text);
+    let expected = 1000.0 * 0.7 / (1.3 * 0.4) * 1e-3;
+    let top: Vec<_> = solved.contact.iter().filter(|(place, _)| place[1] == 1.0 && place[0] < 1.0).take(8).collect();
+    assert!(top[0].0[0] == 0.0 && top.len() == 8);
+    for (place, pressure) in top {
+        assert!((pressure / expected - 1.0).abs() < 1e-3, "{place:?}: {pressure} {expected}");
+    }
+}
+
 /// Nodes on the axis that nothing holds there are told, by the first of them.
 #[test]
 fn free_nodes_on_the_axis_are_told() {

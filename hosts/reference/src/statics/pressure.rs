@@ -11,7 +11,7 @@ pub struct NodalPressure<const D: usize> {
     /// Where it was, undeformed.
     pub place: [f64; D],
     /// Its part of the undeformed surface, seen along its force; 0 where it has none of its own, at the corners of triangles and
-    /// of quadrilaterals of eight nodes of second order.
+    /// of quadrilaterals of eight nodes of second order, and on the axis of bodies of revolution for edges of second order.
     pub area: f64,
     /// Force by area, Pa, positive where it presses.
     pub pressure: f64,
@@ -20,8 +20,8 @@ pub struct NodalPressure<const D: usize> {
 /// Pressures of the nodes of a part on which contact forces act: the force by the node's part of the surface, that is
 /// ∫ N_a p dA by ∫ N_a dA.
 ///
-/// At the corners of triangles and of quadrilaterals of eight nodes of second order ∫ N_a dA vanishes or is negative: there is no such mean.
-/// They have that of the middles of the edges about them.
+/// At the corners of triangles and of quadrilaterals of eight nodes of second order ∫ N_a dA vanishes or is negative, and on the axis of bodies of revolution for edges of
+/// second order: there is no such mean. They have that of the middles of the edges about them.
 ///
 /// A face counts as far as it looks against the force, so that the sides of a block add nothing to its edges. Everything is
 /// per undeformed area, as in linear theory.
@@ -38,7 +38,7 @@ pub fn nodal_pressures<const D: usize>(model: &Model<D>, part: usize, forces: &[
             areas[node] += (against / size.max(f64::MIN_POSITIVE)).max(0.0);
         }
     }
-    let corners = corners_without_area::<D>(&faces, |node| (size(node), areas[node]));
+    let corners = corners_without_area(model, &faces, |node| (size(node), areas[node]));
     let pressure = |node: usize| {
         let (area, pressure) = match corners.get(&node) {
             Some(&pressure) => (0.0, pressure?),
@@ -67,7 +67,7 @@ pub fn nodal_tractions<const D: usize>(
         std::array::from_fn(|i| if i == axis && along > 0.5 { along } else { 0.0 })
     });
     let force = |node: usize| (forces[node][axis] * sense.signum()).max(0.0);
-    let corners = corners_without_area::<D>(&faces, |node| (force(node), areas[node][axis]));
+    let corners = corners_without_area(model, &faces, |node| (force(node), areas[node][axis]));
     let pressure = |node: usize| {
         let (area, pressure) = match corners.get(&node) {
             Some(&pressure) => (0.0, pressure?),
@@ -82,20 +82,29 @@ pub fn nodal_tractions<const D: usize>(
 /// Corners of the faces at which ∫ N_a dA is no area, with the pressure of the middles of the edges about them: force by area of
 /// `at`, summed; none where no such middle has any.
 fn corners_without_area<const D: usize>(
+    model: &Model<D>,
     faces: &[Face],
     at: impl Fn(usize) -> (f64, f64),
 ) -> BTreeMap<usize, Option<f64>> {
     let mut sums: BTreeMap<usize, (f64, f64)> = BTreeMap::new();
-    for face in faces.iter().filter(|face| D == 3 && matches!(face.nodes.len(), 6 | 8)) {
-        let (corners, middles) = face.nodes.split_at(face.nodes.len() / 2);
-        for (k, &corner) in corners.iter().enumerate() {
-            let sum = sums.entry(corner as usize).or_default();
-            for &middle in [&middles[k], &middles[(k + corners.len() - 1) % corners.len()]] {
-                let (force, area) = at(middle as usize);
-                if area > 0.0 {
-                    (sum.0, sum.1) = (sum.0 + force, sum.1 + area);
+    let mut add = |corner: u32, middle: u32| {
+        let (sum, (force, area)) = (sums.entry(corner as usize).or_default(), at(middle as usize));
+        if area > 0.0 {
+            (sum.0, sum.1) = (sum.0 + force, sum.1 + area);
+        }
+    };
+    let is_on_axis = |node: u32| model.is_axisymmetric() && model.coords()[node as usize][0] == 0.0;
+    for Face { nodes, .. } in faces {
+        match (D, nodes.len()) {
+            (2, 3) => nodes[..2].iter().filter(|corner| is_on_axis(**corner)).for_each(|corner| add(*corner, nodes[2])),
+            (3, 6 | 8) => {
+                let (corners, middles) = nodes.split_at(nodes.len() / 2);
+                for (k, &corner) in corners.iter().enumerate() {
+                    let last = middles[(k + corners.len() - 1) % corners.len()];
+                    [middles[k], last].into_iter().for_each(|middle| add(corner, middle));
                 }
             }
+            _ => {}
         }
     }
     sums.into_iter().map(|(node, (force, area))| (node, (area > 0.0).then(|| force / area))).collect()
