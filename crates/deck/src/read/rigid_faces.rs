@@ -92,7 +92,7 @@ pub(super) fn add(deck: &mut Deck, blocks: &[RigidElements]) -> Result<(), Fault
 fn tag_nodes(deck: &mut Deck) {
     let last = deck.mesh.node_tags.iter().copied().max().unwrap_or(0);
     let missing = deck.mesh.points.len() - deck.mesh.node_tags.len();
-    deck.mesh.node_tags.extend((1..=missing as u64).map(|number| last + number));
+    deck.mesh.node_tags.extend((1..=missing as u64).map(|number| last.saturating_add(number)));
 }
 
 /// The group of a name that bodies have it from.

@@ -228,7 +228,7 @@ fn damaged_files_do_not_panic() {
     fs::create_dir_all(&folder).unwrap();
     let file = folder.join("damaged.inp");
     let mut random = fmc_shapes::Splitmix::new(1);
-    for name in ["patch.inp", "parts.inp", "steps.inp", "friction.inp"] {
+    for name in ["patch.inp", "parts.inp", "steps.inp", "friction.inp", "rigid_faces.inp", "segments.inp"] {
         let text = fs::read_to_string(path(name)).unwrap();
         let lines: Vec<&str> = text.lines().collect();
         for round in 0..150 {

@@ -3,9 +3,11 @@
 use crate::blocks_text::{block, elastic};
 use crate::rings::{MATERIAL, graded};
 use crate::scene::{Outcome, said, said_in, solved_text};
-use fmc_deck::StepResult;
+use fmc_deck::{Analysis, Deck, SolveOptions, StepResult, frd_start, frd_step, vtu};
+use fmc_solid::statics::Equilibrium;
 use std::f64::consts::PI;
 use std::fmt::Write;
+use std::ops::ControlFlow;
 
 const LINEAR: &str = "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR\n2e4\n";
 
@@ -154,6 +156,30 @@ fn a_rigid_ball_presses_as_hertz_has_it() {
     let solved = solved_text("rigid-ball", &ball(&arc()));
     check_hertz(&solved);
     assert_eq!(solved.steps[0].pairs[0].names, ["BASE", "TOOL"]);
+}
+
+/// Files of results have the layer: nodes behind the face have labels after the last, here 901 to 904, and the cell that of its element.
+#[test]
+fn results_have_the_layer() {
+    let file = std::env::temp_dir().join(format!("fmc-deck-layer-{}.inp", std::process::id()));
+    std::fs::write(&file, pressed(&shell(PLATE, 1, "SPOS"), "", WAYS[0])).unwrap();
+    let deck = Deck::read(&file).unwrap();
+    std::fs::remove_file(file).unwrap();
+    let analysis = Analysis::<3>::new(&deck, SolveOptions::default()).unwrap();
+    let told = |words: &str| analysis.notes.iter().any(|note| note.message.contains(words));
+    assert!(told("rigid faces are the front of a layer of cells, 1.601e0 to 1.601e0 thick"), "{:?}", analysis.notes);
+    let order = analysis.order.clone();
+    let mut written = Vec::new();
+    let reached = &mut |at: &Equilibrium<3>, step: StepResult| {
+        let text = frd_start(&deck, &order, at.model()) + &frd_step(&deck, &order, at, &step);
+        written.push((text, vtu(&deck, &order, at, &step).cell_count()));
+        Ok(())
+    };
+    analysis.solve(&mut |_, _| ControlFlow::Continue(()), reached).unwrap();
+    let (frd, cells) = &written[0];
+    assert!(frd.contains("\n -1       101    1    0    2\n -2       901       902       903       904       101       103       104       102\n"), "{frd}");
+    // The block, the layer, and the reference node.
+    assert_eq!(*cells, 12 + 1 + 1);
 }
 
 #[test]

@@ -54,8 +54,9 @@ pub(super) fn add_analytical(
                     }
                     None => {
                         let count = fronts(deck, &analytical, instance, dimension)?.1.len() as u64;
-                        let labels: Vec<(u64, usize)> = (1..=count).map(|k| (next + k, analytical.line)).collect();
-                        next += count;
+                        let labels: Vec<(u64, usize)> =
+                            (1..=count).map(|k| (next.saturating_add(k), analytical.line)).collect();
+                        next = next.saturating_add(count);
                         deck.names.put(Kind::Cell, &of_surface, &set_of(&rest), analytical.line, &labels);
                         known.insert(analytical.line, labels.clone());
                         labels
