@@ -2,6 +2,7 @@
 
 use super::Bodies;
 use super::facets::has_curved_faces;
+use super::looks::check_looks;
 use super::outside::Named;
 use super::spread::{Faces, faces};
 use super::surfaces::{face_number, surface};
@@ -237,7 +238,9 @@ fn between<const D: usize>(
     surfaces: &[String; 2],
     is_self: bool,
 ) -> Result<Vec<[usize; 2]>, Fault> {
-    let [a, b] = [bodies_of(deck, bodies, line, &surfaces[0])?, bodies_of(deck, bodies, line, &surfaces[1])?];
+    let both = [bodies_of(deck, bodies, line, &surfaces[0])?, bodies_of(deck, bodies, line, &surfaces[1])?];
+    check_looks(deck, bodies, (line, surfaces), &both)?;
+    let [a, b] = both;
     let all = a.iter().flat_map(|&p| b.iter().map(move |&q| [p.min(q), p.max(q)]));
     let pairs: BTreeSet<[usize; 2]> = all.filter(|pair| pair[0] != pair[1] || is_self).collect();
     match pairs.is_empty() {

@@ -208,6 +208,13 @@ fn what_analytical_surfaces_cannot_be_is_refused_by_its_line() {
             message.strip_prefix("analytical.inp:").and_then(|rest| rest.split(':').next()?.parse::<usize>().ok());
         assert!(expected == "nothing" || line.is_some_and(|line| line > 1), "{to}: {message}");
     }
+    let turned = good
+        .replace("START, 0.5, 0.1339745962155613\nCIRCL, 0., 0.,", "START, 0., 0.\nCIRCL, 0.5, 0.1339745962155613,");
+    let message = said(&turned, "turned.inp");
+    assert!(
+        message.contains("all of S_BASE lies behind S_TOOL") && message.contains("turn its profile round"),
+        "{message}"
+    );
     let corner = good
         .replace("NAME=S_TOOL\n", "NAME=S_TOOL, FILLET RADIUS=0.1\n")
         .replace("START, 0.5,", "START, 0.5, 1.\nLINE, 0.5,");

@@ -212,6 +212,20 @@ fn what_rigid_surfaces_cannot_be_is_refused_by_its_line() {
         let line = message.strip_prefix("rigid-surface.inp:").and_then(|rest| rest.split(':').next()?.parse().ok());
         assert!(line.is_some_and(|line: usize| line > 1) && message.contains(expected), "{to}: {message}");
     }
+    // The other side of a plate, in a gap and without one.
+    for plate in [PLATE, [[-1.0, -1.0, 1.0], [4.0, 3.0, 2.0]]] {
+        let away = pressed(&shell(plate, 1, "SPOS"), "", WAYS[0]);
+        assert_eq!(said_in::<3>(&away, "looks.inp"), "nothing");
+        let message = said_in::<3>(&away.replace("TOOL, SPOS", "TOOL, SNEG"), "away.inp");
+        assert!(message.contains("all of S_BASE_HIGH lies behind S_TOOL: name the other side"), "{message}");
+    }
+    // The other side of a plate, in a gap and without one.
+    for plate in [PLATE, [[-1.0, -1.0, 1.0], [4.0, 3.0, 2.0]]] {
+        let away = pressed(&shell(plate, 1, "SPOS"), "", WAYS[0]);
+        assert_eq!(said_in::<3>(&away, "looks.inp"), "nothing");
+        let message = said_in::<3>(&away.replace("TOOL, SPOS", "TOOL, SNEG"), "away.inp");
+        assert!(message.contains("all of S_BASE_HIGH lies behind S_TOOL: name the other side"), "{message}");
+    }
     let open = pressed(&shell(PUNCH, 5, "SPOS"), "", WAYS[0]).replace("*SURFACE, NAME=S_TOOL\nTOOL, SPOS\n", "");
     let open = open.replace(
         "*CONTACT PAIR, INTERACTION=I\nS_TOOL, S_BASE_HIGH\n",
