@@ -35,6 +35,19 @@ fn a_fixed_node_stays_and_bears_what_held_it() {
     }
 }
 
+/// A node of no element that stretches a square by equations: `OP=NEW` lets it go, and FIXED holds it where it was, with the same reaction.
+#[test]
+fn a_fixed_node_of_no_element_keeps_what_it_stretches() {
+    let text = format!(
+        "{SQUARE}*NODE\n900, 5., 5.\n*EQUATION\n2\nTOP, 2, 1., 900, 2, -1.\n*BOUNDARY\n1, 1, 2\n2, 1, 2\n*STEP\n*STATIC\n*BOUNDARY\n900, 2, 2, 0.01\n*END STEP\n\
+         *STEP\n*STATIC\n*BOUNDARY, OP=NEW\n1, 1, 2\n2, 1, 2\n*BOUNDARY, OP=NEW, FIXED\n900, 2\n*END STEP\n"
+    );
+    let solved = solved_text::<2>("fixed-loose", &text);
+    let [first, second] = [0, 1].map(|step: usize| &solved.steps[step].references[0]);
+    assert!((first.force[1] - 10.0).abs() < 1e-8 && (second.force[1] - 10.0).abs() < 1e-8, "{first:?} {second:?}");
+    assert_eq!((first.displacement, second.displacement), ([0.0, 0.01, 0.0], [0.0, 0.01, 0.0]));
+}
+
 /// A plate that has tilted freely under forces and moments is fixed, and these go: its reference node stays where it is and bears them. The residual is 1e-9 of
 /// forces that are 1e2 at single nodes.
 #[test]

@@ -12,7 +12,11 @@ impl<const D: usize> State<D> {
         let (first, axis) = (bodies.model.node_count(), place.1);
         let Some(number) = place.0.checked_sub(first) else { return displacement[place.0][axis] };
         let reference = &self.references[number];
-        let held = |freedom: &Freedom| self.supports.get(freedom).map_or(0.0, |(value, _)| value.at(self.end));
+        // What the step releases has been held until now.
+        let held = |freedom: &Freedom| {
+            let before = self.supports.get(freedom).or_else(|| self.released.get(freedom));
+            before.map_or(0.0, |(value, _)| value.at(self.end))
+        };
         match &reference.way {
             Way::Local(axes) => (0..D).map(|k| axes[axis][k] * displacement[reference.nodes[0]][k]).sum(),
             Way::Loose(_) => {
