@@ -5,11 +5,20 @@ use super::piece::{Piece, Profile, Wrong, between, length, turn};
 /// Angle in radians up to which pieces go on smoothly: files have seven digits.
 const SMOOTH: f64 = 1e-3;
 
+/// Where the centres of arcs may be that touch a piece on one side, and where they touch it.
+#[derive(Clone, Copy)]
+enum Guide {
+    /// A point of the piece, its direction, and the way from it to these centres.
+    Line { point: [f64; 2], along: [f64; 2], across: [f64; 2] },
+    /// Centre and radius of the piece, and the radius on which these centres are.
+    Circle { centre: [f64; 2], radius: f64, on: f64 },
+}
+
 impl Profile {
-    /// The same with an arc of this radius at every corner between two lines.
+    /// The same with an arc of this radius at every corner between lines and arcs.
     ///
     /// # Errors
-    /// A corner at an arc or a parabola, and lines that are too short.
+    /// A corner at a parabola, and pieces that are too short.
     pub(crate) fn rounded(&self, radius: f64) -> Result<Self, Wrong> {
         let mut pieces: Vec<(usize, Piece)> = Vec::new();
         let mut at = self.start;
@@ -20,34 +29,112 @@ impl Profile {
                 break;
             };
             let (corner, end) = (piece.end(), next.end());
-            let [before, after] = [leaving(at, piece), entering(corner, next)];
-            let angle = turn(before, after);
+            let angle = turn(ends(at, piece)[1], ends(corner, next)[0]);
             if angle.abs() <= SMOOTH {
                 pieces.push((line, piece));
                 at = corner;
                 continue;
             }
-            let (Piece::Line(_), Piece::Line(_)) = (piece, next) else {
-                return wrong(
-                    "FILLET RADIUS is known for corners between two lines: write this one as CIRCL itself".to_owned(),
-                );
+            let guides = [guide(at, piece, angle.signum() * radius), guide(corner, next, angle.signum() * radius)];
+            let [Some(before), Some(after)] = guides else {
+                return wrong("FILLET RADIUS is known for corners between lines and arcs, not at PARBL".to_owned());
             };
-            let cut = radius * (0.5 * angle).tan().abs();
-            let room = length(between(at, corner)).min(length(between(corner, end)));
-            if cut >= room {
-                return wrong(format!(
-                    "FILLET RADIUS={radius} takes {cut:.4e} of both lines at this corner, and one has {room:.4e}"
-                ));
+            let short = || format!("FILLET RADIUS={radius} is too large for the segments at this corner");
+            let Some(centre) = centre(before, after, corner) else { return wrong(short()) };
+            let [first, last] = [before, after].map(|guide| guide.touched(centre));
+            if !is_on(at, piece, first) || !is_on(corner, next, last) || length(between(last, end)) == 0.0 {
+                return wrong(short());
             }
-            let [u, v] = [before, after].map(|d| [d[0] / length(d), d[1] / length(d)]);
-            let begin = [corner[0] - cut * u[0], corner[1] - cut * u[1]];
-            let side = radius * angle.signum();
-            let centre = [begin[0] - side * u[1], begin[1] + side * u[0]];
-            let end = [corner[0] + cut * v[0], corner[1] + cut * v[1]];
-            pieces.extend([(line, Piece::Line(begin)), (line, Piece::Arc { end, centre })]);
-            at = end;
+            let shortened = match piece {
+                Piece::Arc { centre, .. } => Piece::Arc { end: first, centre },
+                _ => Piece::Line(first),
+            };
+            pieces.extend([(line, shortened), (line, Piece::Arc { end: last, centre })]);
+            at = last;
         }
         Ok(Self { start: self.start, pieces })
+    }
+}
+
+/// The guide of arcs to the left of a piece from a point, for a radius below 0 to the right; none of a parabola.
+fn guide(at: [f64; 2], piece: Piece, radius: f64) -> Option<Guide> {
+    match piece {
+        Piece::Line(end) => {
+            let way = between(at, end);
+            let along = way.map(|x| x / length(way));
+            Some(Guide::Line { point: at, along, across: [-radius * along[1], radius * along[0]] })
+        }
+        Piece::Arc { end, centre } => {
+            let [p, q] = [between(centre, at), between(centre, end)];
+            let on = length(q) - turn(p, q).signum() * radius;
+            Some(Guide::Circle { centre, radius: length(q), on }).filter(|_| on > 0.0)
+        }
+        Piece::Parabola { .. } => None,
+    }
+}
+
+impl Guide {
+    /// Where an arc about a centre touches the piece.
+    fn touched(&self, x: [f64; 2]) -> [f64; 2] {
+        match *self {
+            Self::Line { across, .. } => [x[0] - across[0], x[1] - across[1]],
+            Self::Circle { centre, radius, .. } => {
+                let way = between(centre, x);
+                std::array::from_fn(|k| centre[k] + radius * way[k] / length(way))
+            }
+        }
+    }
+}
+
+/// The place on two guides that is nearest to a corner.
+fn centre(a: Guide, b: Guide, corner: [f64; 2]) -> Option<[f64; 2]> {
+    let found: Vec<[f64; 2]> = match (a, b) {
+        (Guide::Line { point, along, across }, Guide::Line { point: other, along: way, across: aside }) => {
+            // The corner is on both: from it both guides are as far.
+            let from = [other[0] + aside[0] - point[0] - across[0], other[1] + aside[1] - point[1] - across[1]];
+            let sine = along[0] * way[1] - along[1] * way[0];
+            let s = (from[0] * way[1] - from[1] * way[0]) / sine;
+            vec![[point[0] + across[0] + s * along[0], point[1] + across[1] + s * along[1]]]
+        }
+        (Guide::Line { point, along, across }, Guide::Circle { centre, on, .. })
+        | (Guide::Circle { centre, on, .. }, Guide::Line { point, along, across }) => {
+            let start = [point[0] + across[0], point[1] + across[1]];
+            let from = between(centre, start);
+            let middle = -(from[0] * along[0] + from[1] * along[1]);
+            let square = on * on - length(from).powi(2) + middle * middle;
+            let half = Some(square.sqrt()).filter(|half| half.is_finite())?;
+            [middle - half, middle + half].map(|s| [start[0] + s * along[0], start[1] + s * along[1]]).to_vec()
+        }
+        (Guide::Circle { centre, on, .. }, Guide::Circle { centre: other, on: far, .. }) => {
+            let way = between(centre, other);
+            let distance = length(way);
+            let along = (distance * distance + on * on - far * far) / (2.0 * distance);
+            let aside = Some((on * on - along * along).sqrt()).filter(|aside| aside.is_finite())?;
+            let unit = way.map(|x| x / distance);
+            let at = |aside: f64| {
+                [centre[0] + along * unit[0] - aside * unit[1], centre[1] + along * unit[1] + aside * unit[0]]
+            };
+            vec![at(aside), at(-aside)]
+        }
+    };
+    let distance = |x: &[f64; 2]| length(between(corner, *x));
+    let nearest = found.into_iter().min_by(|p, q| distance(p).total_cmp(&distance(q)));
+    nearest.filter(|x| x.iter().all(|x| x.is_finite()))
+}
+
+/// Whether a place on the line or circle of a piece from a point is within the piece.
+fn is_on(at: [f64; 2], piece: Piece, x: [f64; 2]) -> bool {
+    match piece {
+        Piece::Arc { end, centre } => {
+            let [p, q, x] = [at, end, x].map(|place| between(centre, place));
+            let (whole, part) = (turn(p, q), turn(p, x));
+            part * whole > 0.0 && part.abs() < whole.abs()
+        }
+        _ => {
+            let (whole, part) = (between(at, piece.end()), between(at, x));
+            let along = whole[0] * part[0] + whole[1] * part[1];
+            along > 0.0 && along < length(whole).powi(2)
+        }
     }
 }
 
@@ -70,14 +157,6 @@ fn ends(at: [f64; 2], piece: Piece) -> [[f64; 2]; 2] {
     }
 }
 
-fn entering(at: [f64; 2], piece: Piece) -> [f64; 2] {
-    ends(at, piece)[0]
-}
-
-fn leaving(at: [f64; 2], piece: Piece) -> [f64; 2] {
-    ends(at, piece)[1]
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -92,6 +171,37 @@ mod tests {
         let off = |p: [f64; 2], q: [f64; 2]| length(between(p, q));
         assert!(off(end, [0.5, 0.0]) < 1e-15 && off(centre, [0.5, 0.5]) < 1e-15, "{found:?}");
         assert!(off(found.pieces[0].1.end(), [0.0, 0.5]) < 1e-15 && found.pieces[2] == corner.pieces[1]);
-        assert!(corner.rounded(2.5).unwrap_err().message.contains("takes 2.5000e0 of both lines"));
+        assert!(corner.rounded(2.5).unwrap_err().message.contains("is too large for the segments at this corner"));
+    }
+
+    /// At corners with arcs, to both sides: the arc of a fillet has its radius, meets both pieces where they are, and goes on as they do.
+    #[test]
+    fn corners_at_arcs_are_rounded() {
+        let arc = |end: [f64; 2], centre: [f64; 2]| Piece::Arc { end, centre };
+        for pieces in [
+            vec![Piece::Line([2.0, 0.0]), arc([4.0, 2.0], [4.0, 0.0])],
+            vec![Piece::Line([2.0, 0.0]), arc([4.0, -2.0], [4.0, 0.0])],
+            vec![Piece::Line([2.0, 0.0]), arc([3.0, 1.0], [2.0, 1.0])],
+            vec![arc([2.0, 0.0], [1.0, -0.5]), arc([4.0, 0.0], [3.0, -0.5])],
+            vec![arc([2.0, 0.0], [1.0, -0.5]), Piece::Line([2.0, 3.0])],
+        ] {
+            let profile = Profile { start: [0.0, 0.0], pieces: pieces.into_iter().map(|piece| (1, piece)).collect() };
+            let found = profile.rounded(0.1).unwrap_or_else(|wrong| panic!("{wrong:?} {profile:?}"));
+            let (mut at, mut last, mut count) = (profile.start, None, 0);
+            for &(_, piece) in &found.pieces {
+                let [enters, leaves] = ends(at, piece);
+                if let Some(before) = last {
+                    assert!(turn(before, enters).abs() < 1e-6, "{found:?}");
+                }
+                if let Piece::Arc { end, centre } = piece {
+                    let [p, q] = [length(between(centre, at)), length(between(centre, end))];
+                    assert!((p - q).abs() < 1e-12, "{found:?}");
+                    count += usize::from((p - 0.1).abs() < 1e-12);
+                }
+                (at, last) = (piece.end(), Some(leaves));
+            }
+            // The third goes on smoothly by itself.
+            assert_eq!(count, found.pieces.len() - profile.pieces.len(), "{found:?}");
+        }
     }
 }

@@ -217,9 +217,9 @@ fn what_analytical_surfaces_cannot_be_is_refused_by_its_line() {
     );
     let corner = good
         .replace("NAME=S_TOOL\n", "NAME=S_TOOL, FILLET RADIUS=0.1\n")
-        .replace("START, 0.5,", "START, 0.5, 1.\nLINE, 0.5,");
+        .replace("START, 0.5,", "START, 0.5, 1.\nPARBL, 0.5, 0.5, 0.5,");
     let message = said(&corner, "corner.inp");
-    assert!(message.contains("FILLET RADIUS is known for corners between two lines"), "{message}");
+    assert!(message.contains("FILLET RADIUS is known for corners between lines and arcs, not at PARBL"), "{message}");
     let space = base([&[0.0, 1.0], &[0.0, 1.0], &[-1.0, 0.0]]) + ARC + BODY + PAIR + "*STEP\n*STATIC\n*END STEP\n";
     let message = said_in::<3>(&space, "space.inp");
     assert!(message.contains("this is no analytical surface in 3D: known are CYLINDER and REVOLUTION"), "{message}");
