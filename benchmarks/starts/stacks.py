@@ -67,8 +67,8 @@ def stack(count, gap, friction=0.0, support="", spring=0.0, shift=0.0, most_solv
             foot = np.lexsort((np.abs(mesh.p[0] - 0.5), mesh.p[1]))[0]
             held.append(bodies.unknowns(body, lambda x, at=mesh.p[:, foot]: np.abs(x - at[:, None]).max(axis=0) < 1e-9, 0))
     expected = (_floor_bears(bodies, contact, load, others), _settled(bodies, gap / COUNT))
-    # Blocks touch one after the other: each such place, from which friction counts, is found by a solve, and the step is solved again.
-    most = most_solves + 4 * count if friction and gap > 0 else most_solves
+    # A solve finds where blocks with friction first touch.
+    most = most_solves + 1 if friction and gap > 0 else most_solves
     step = Step(host, bodies.free(held), expected=expected, most_solves=most, told=told)
     return Problem(contact, np.zeros(bodies.size), [step], friction > 0)
 

@@ -89,7 +89,7 @@ fn the_status_tells_a_wrong_file_from_a_body_without_support() {
     let loose = solve(&folder, &deck().replace("UTOP, P3, 10.", "UTOP, P3, -10."));
     let told = String::from_utf8_lossy(&loose.stderr).into_owned();
     assert_eq!(loose.status.code(), Some(1), "{told}");
-    assert!(told.contains("step 1: 'UPPER' is "), "{told}");
+    assert!(told.contains("step 1: 'UPPER' does not come to rest"), "{told}");
     assert!(!folder.join("out/model/model.frd").exists());
     fs::remove_dir_all(folder).unwrap();
 }

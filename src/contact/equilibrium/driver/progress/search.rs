@@ -74,8 +74,13 @@ impl<const D: usize> Search<D> {
             return Ok(true);
         }
         let state = State::at(&self.host, x.to_vec(), true).await?;
+        self.is_balanced(&state).await
+    }
+
+    /// Whether a state is an equilibrium, without a record of it.
+    pub(crate) async fn is_balanced(&mut self, state: &State<D>) -> Result<bool, Trouble> {
         self.balance.again();
-        let verdict = self.balance.judge(&self.host, &self.assembly, &state).await?;
+        let verdict = self.balance.judge(&self.host, &self.assembly, state).await?;
         self.balance.history.pop();
         Ok(verdict != Verdict::Not)
     }

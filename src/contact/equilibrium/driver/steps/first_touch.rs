@@ -11,7 +11,7 @@ use crate::contact::changes::friction_steps::touch_first;
 use crate::contact::changes::poses::with_poses;
 use crate::contact::equilibrium::driver::asking::host::{Host, System};
 use crate::contact::equilibrium::driver::asking::trouble::Trouble;
-use crate::contact::equilibrium::driver::asking::unknowns::{Unknowns, moved, norm};
+use crate::contact::equilibrium::driver::asking::unknowns::{Unknowns, largest, moved, norm};
 use crate::contact::equilibrium::driver::bodies::paths::Path;
 use crate::contact::equilibrium::driver::progress::search::Search;
 use crate::contact::equilibrium::driver::progress::state::State;
@@ -55,7 +55,8 @@ pub(crate) async fn first_touches<const D: usize>(
     search: &Search<D>,
     state: &State<D>,
 ) -> Result<Option<Vec<f64>>, Trouble> {
-    if !search.has_friction || search.options.is_slip_straight {
+    // Bodies that nothing else holds lie on one another: many of them would touch at as many places, each for another search.
+    if !search.has_friction || search.options.is_slip_straight || search.motions.are_free {
         return Ok(None);
     }
     let coords = search.host.unknowns.coords(&state.x);
@@ -79,9 +80,13 @@ pub(crate) async fn first_touches<const D: usize>(
 /// The same before anything has touched: the unknowns where the first of all pairs touch on the way to the equilibrium without contact, by the
 /// tangent where the step begins.
 pub(crate) async fn first_of_all<const D: usize>(
-    search: &Search<D>,
+    search: &mut Search<D>,
     step: &LoadStep<D>,
+    start: &State<D>,
 ) -> Result<Option<Vec<f64>>, Trouble> {
+    if largest(&step.moved) == 0.0 && search.is_balanced(start).await? {
+        return Ok(None);
+    }
     let (coords, reach) = (search.host.unknowns.coords(&step.x), KNOWN * search.assembly.thinnest());
     if search.options.is_slip_straight
         || !search.host.contact(move |contact| is_all_apart(contact, &coords, reach)).await?
@@ -282,7 +287,7 @@ async fn free_step<const D: usize>(search: &Search<D>, state: &State<D>) -> Resu
             Some((least, _)) if left >= *least => {}
             _ => best = Some((left, x.clone())),
         }
-        if left <= ENOUGH * first || tried == STEPS || (tried == 1 && search.motions.are_free) {
+        if left <= ENOUGH * first || tried == STEPS {
             break;
         }
         let part = if tried == 0 { TangentPart::Semidefinite } else { TangentPart::Full };

@@ -73,7 +73,7 @@ pub(crate) async fn in_parts<const D: usize>(search: &mut Search<D>, step: &Load
     let start = falling_load(search, start).await?;
     let (mut x, mut done, mut part, mut counts) = (step.x.clone(), 0.0, 1.0, Counts::default());
     let mut adrift = None;
-    let mut is_at_touch = match first_of_all(search, step).await? {
+    let mut is_at_touch = match first_of_all(search, step, &start).await? {
         Some(touching) => {
             x = touching;
             true
