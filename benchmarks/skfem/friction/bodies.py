@@ -42,6 +42,7 @@ class Bodies:
         self.motion = identity(self.size, format="csr")
         self.load = np.zeros(self.size)
         self.z = np.zeros(self.size)
+        self.straight_slip = False
         self.result = None
         """Of the last evaluation."""
 
@@ -90,7 +91,7 @@ class Bodies:
         tolerance *= max(1.0, np.linalg.norm(self.load) / pushed) if pushed else 1.0
         found = find_equilibrium(
             self._host, _OnUnknowns(self), self.z, free, end, tolerance=tolerance,
-            max_iterations=LIMIT, two_level=False, penetration=penetration,
+            max_iterations=LIMIT, two_level=False, penetration=penetration, straight_slip=self.straight_slip,
         )  # fmt: skip
         self.z, self.result = found.x, found.result
         return found.iterations

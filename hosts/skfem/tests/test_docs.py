@@ -38,9 +38,10 @@ def test_problems_that_start_by_themselves():
     assert run.returncode == 0, run.stderr
     assert not differs("".join(shown), run.stdout)
     touching, stack, stands, falls, removed, pressure = run.stdout.splitlines()
-    for told in (touching, stack):
+    # In the stack one solve finds where blocks with friction first touch.
+    for told, most in ((touching, 6), (stack, 7)):
         solves, force = told.split()
-        assert int(solves) <= 6 and abs(float(force) - 1) < 1e-9
+        assert int(solves) <= most and abs(float(force) - 1) < 1e-9
     assert "stands" in stands and "stands" not in falls
     # Facets of a circle of 96: the overlap of their middles is by 5e-4 smaller or larger than 0.002.
     assert abs(float(removed) - 0.002) < 1e-4
