@@ -50,7 +50,7 @@ class Fold:
         held = np.concatenate([self.bottom, *self.top])
         values, count = np.zeros(len(held)), len(self.top[0])
         bodies.begin_friction(MU)
-        # Two bodies touch across the bend from the start, so their slip counts straight within the step in which the arms touch. One body does the same.
+        # Two bodies touch across the bend from the start, so their slip counts straight where the arms touch. One body does the same.
         bodies.straight_slip = True
         forces, counts = [], []
         for step in range(1, 2 * steps + 1):

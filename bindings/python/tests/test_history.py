@@ -227,7 +227,8 @@ def square(downs, friction=0.3, drag=0.001, contact=None, **options):
     def solve(step, x):
         end = SQUARE.copy()
         end[2:] += (drag * (step + 1), -downs[step])
-        return find_equilibrium(lambda x: (OF_SQUARE @ (x - SQUARE).ravel(), OF_SQUARE), contact, x, range(4), end, tolerance=1e-14, straight_slip=True)
+        bodies = lambda x: (OF_SQUARE @ (x - SQUARE).ravel(), OF_SQUARE)
+        return find_equilibrium(bodies, contact, x, range(4), end, tolerance=1e-14, straight_slip=True)
 
     return History(contact, solve, len(downs))
 
