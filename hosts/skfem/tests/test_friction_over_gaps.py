@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from fmc_contact import find_equilibrium
+from fmc_contact import NotConvergedError, find_equilibrium
 from fmc_contact_skfem import SkfemContact
 from skfem import Basis, ElementQuad1, ElementVector, LinearForm, MeshQuad
 from skfem.models.elasticity import lame_parameters, linear_elasticity
@@ -153,3 +153,34 @@ def test_the_same_step_again_gives_the_same():
     # Multipliers of the other load are left, and the contact is as near as its updates have it.
     assert np.abs(once.result.forces - after.result.forces).max() < 1e-2 * np.abs(once.result.forces).max()
     assert after.first_touches == 1
+
+
+def test_a_refused_search_leaves_what_the_one_before_has_found():
+    block = Block(0.1)
+    free = np.setdiff1d(np.arange(block.basis.N), np.r_[block.top(0), block.top(1)])
+    host = lambda u: (block.matrix @ u, block.matrix)
+    end = block.u.copy()
+    end[block.top(1)] = -0.15
+    found = find_equilibrium(host, block.contact, block.u, free, end)
+    end[block.top(0)] = 0.3
+    with pytest.raises(NotConvergedError):
+        find_equilibrium(host, block.contact, block.u, free, end, max_iterations=1)
+    assert np.array_equal(block.contact.evaluate(found.x).forces, found.result.forces)
+
+
+@pytest.mark.parametrize("gap", [0.05, 0.5])
+def test_a_table_without_friction_on_the_way_to_a_wall_with_it(gap):
+    """A block comes down on a table and goes on into a wall, in one step, and in three that end where it touches: it does not come to the wall
+    through the table."""
+
+    def pushed(*parts):
+        block = Block(gap, 0.0)
+        wall = block.contact.contact.obstacles.add_half_space((1.2, 0), (-1, 0))
+        block.contact.contact.pairs.set(0, ("obstacle", wall), friction_coefficient=0.3)
+        for part in parts:
+            found = block.moved(0.205 * part, (gap + 0.02) * part)
+        return found.result.obstacles[wall]
+
+    one, steps = pushed(1.0), pushed(gap / (gap + 0.02), 0.2 / 0.205, 1.0)
+    # Pressed by the table the block is another one at the wall than the tangent of the start says.
+    assert abs(one.friction[1] - steps.friction[1]) < 0.05 * abs(steps.force[0])

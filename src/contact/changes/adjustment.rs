@@ -2,9 +2,8 @@
 
 use crate::Error;
 use crate::contact::evaluation::{Contact, kernels};
-use crate::contact::friction::Step;
 use crate::contact::mesh::Offsets;
-use crate::geometry::{Surface, Vector};
+use crate::geometry::Vector;
 use crate::overlap::Partner;
 use std::collections::BTreeSet;
 
@@ -134,11 +133,9 @@ fn replace<const D: usize>(contact: &mut Contact<D>, offsets: Offsets<D>) {
     contact.mesh.replace_offsets(offsets);
     super::options::find_interfaces_again(contact);
     let Contact { mesh, history, state, .. } = contact;
-    if let Some(step) = &mut history.step {
+    for step in history.step.iter_mut().chain(history.first_touches.steps_mut()) {
         step.place(&mesh.surface, |points| mesh.placed(points.into()));
     }
-    let place = |step: &mut Step<D>, surface: &Surface<D>| step.place(surface, |points| mesh.placed(points.into()));
-    history.first_touches.place(&mesh.surface, place);
     if let Some(frozen) = &mut history.frozen {
         frozen.coords.place(|points| mesh.placed(points.into()));
     }

@@ -50,20 +50,16 @@ fn begin_worn<const D: usize>(
     Ok(())
 }
 
-/// Has the slip of pairs that were apart count from here, where some of them touch first. Without `apart` that is the first touch of all pairs.
-/// On an error nothing has changed.
+/// Has the slip of pairs that were apart count from here; `is_first`: they touch here, and all others are apart. On an error nothing has changed.
 pub(crate) fn touch_first<const D: usize>(
     contact: &mut Contact<D>,
     coords: &[[f64; D]],
-    touching: &BTreeSet<[Partner; 2]>,
-    apart: Option<&BTreeSet<[Partner; 2]>>,
+    pairs: &BTreeSet<[Partner; 2]>,
+    is_first: bool,
 ) -> Result<(), Error> {
     let moved_out = contact.history.step()?.moved_out.clone();
     let step = step_at(contact, coords, CarriedSlip::new())?.with_moved_out(moved_out);
-    match apart {
-        Some(apart) => contact.history.first_touches.add(apart, step),
-        None => contact.history.first_touches.begin(touching, step),
-    }
+    contact.history.first_touches.add(pairs, step, is_first);
     contact.history.release_friction();
     Ok(())
 }

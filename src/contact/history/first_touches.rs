@@ -1,7 +1,6 @@
 //! Where pairs first touched in a step.
 
 use crate::contact::friction::Step;
-use crate::geometry::Surface;
 use crate::overlap::Partner;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
@@ -36,16 +35,13 @@ impl<const D: usize> FirstTouches<D> {
         self.of_pairs.is_empty() && self.of_all.is_none()
     }
 
-    /// Pairs count from here that were apart.
-    pub(crate) fn add(&mut self, pairs: &BTreeSet<[Partner; 2]>, step: Step<D>) {
+    /// Pairs count from here that were apart; all others too, where this is the first place of all.
+    pub(crate) fn add(&mut self, pairs: &BTreeSet<[Partner; 2]>, step: Step<D>, is_first: bool) {
         let step = Arc::new(step);
         pairs.iter().for_each(|pair| drop(self.of_pairs.insert(*pair, Arc::clone(&step))));
-    }
-
-    /// The first of all: these pairs touch here, and all others are apart.
-    pub(crate) fn begin(&mut self, touching: &BTreeSet<[Partner; 2]>, step: Step<D>) {
-        self.of_all = Some(Arc::new(step.clone()));
-        self.add(touching, step);
+        if is_first {
+            self.of_all = Some(step);
+        }
     }
 
     /// Forgets an obstacle that is removed.
@@ -53,9 +49,8 @@ impl<const D: usize> FirstTouches<D> {
         self.of_pairs.retain(|partners, _| !partners.contains(&partner));
     }
 
-    /// Has the surface have lain elsewhere there.
-    pub(crate) fn place(&mut self, surface: &Surface<D>, place: impl Fn(&mut Step<D>, &Surface<D>)) {
-        let steps = self.of_pairs.values_mut().chain(&mut self.of_all);
-        steps.for_each(|step| place(Arc::make_mut(step), surface));
+    /// All of them.
+    pub(crate) fn steps_mut(&mut self) -> impl Iterator<Item = &mut Step<D>> {
+        self.of_pairs.values_mut().chain(&mut self.of_all).map(Arc::make_mut)
     }
 }

@@ -15,6 +15,7 @@ use crate::contact::equilibrium::driver::asking::unknowns::{Unknowns, largest, m
 use crate::contact::equilibrium::driver::bodies::paths::Path;
 use crate::contact::equilibrium::driver::progress::search::Search;
 use crate::contact::equilibrium::driver::progress::state::State;
+use crate::contact::equilibrium::driver::ways::unloaded::solved_apart;
 use crate::contact::evaluation::{Contact, kernels};
 use crate::contact::partners::Poses;
 use crate::contact::tangents::TangentPart;
@@ -42,7 +43,7 @@ const KNOWN: f64 = 1e-9;
 
 type Pairs = BTreeSet<[Partner; 2]>;
 
-/// Pairs that are looked for: some, or all of which friction has a memory.
+/// Pairs that are looked for.
 #[derive(Clone)]
 enum Wanted {
     Some(Pairs),
@@ -97,10 +98,17 @@ pub(crate) async fn first_of_all<const D: usize>(
     let found = search.first_touch((&step.x, &way), (&Wanted::All, Pairs::new())).await?;
     let Some(touch) = found.filter(|touch| !touch.is_at_start) else { return Ok(None) };
     let (coords, poses, touching) = (touch.coords.clone(), touch.poses, touch.touching);
-    let count = move |contact: &mut Contact<D>| {
-        with_poses(contact, &poses, |contact| touch_first(contact, &coords, &touching, None))
-    };
-    search.host.contact(count).await?;
+    let counts = search.host.contact(move |contact| {
+        // What touches first and does not rub leads the bodies another way from there.
+        let rubs = touching.iter().any(|pair| has_memory(contact, pair));
+        if rubs {
+            with_poses(contact, &poses, |contact| touch_first(contact, &coords, &touching, true))?;
+        }
+        Ok::<_, Error>(rubs)
+    });
+    if !counts.await? {
+        return Ok(None);
+    }
     Ok(Some(unknowns_at(&search.host.unknowns, &touch.coords)))
 }
 
@@ -134,14 +142,8 @@ async fn free_way<const D: usize>(search: &Search<D>, step: &LoadStep<D>) -> Res
     let apart = State::apart(host, step.x.clone()).await?;
     let driven = host.product(step.moved.clone(), false).await?;
     let right = apart.residual.iter().zip(&driven).map(|(force, driven)| -(force + driven)).collect();
-    let coords = host.unknowns.coords(&step.x);
-    let let_apart = host.contact(move |contact| {
-        contact.history.apart_at = Some(contact.mesh.points(&coords)?.into_owned());
-        Ok::<_, Error>(())
-    });
-    let_apart.await?;
-    let found = host.solve(System { x: &step.x, part: TangentPart::Semidefinite, shift: SHIFT }, right).await;
-    host.contact(|contact| contact.history.apart_at = None).await;
+    let system = System { x: &step.x, part: TangentPart::Semidefinite, shift: SHIFT };
+    let found = solved_apart(host, system, right).await;
     match found {
         Ok(found) => Ok(Some(moved(&found, 1.0, &step.moved))),
         Err(Trouble::Contact(_) | Trouble::Host(_)) => Ok(None),
@@ -187,7 +189,7 @@ async fn touched<const D: usize>(
     if !found.is_at_start {
         let (Touch { coords, poses, .. }, new) = (found.clone(), new.clone());
         let count = move |contact: &mut Contact<D>| {
-            with_poses(contact, &poses, |contact| touch_first(contact, &coords, &new, Some(&new)))
+            with_poses(contact, &poses, |contact| touch_first(contact, &coords, &new, false))
         };
         search.host.contact(count).await?;
     }
@@ -359,11 +361,9 @@ fn touching_at<const D: usize>(
     let (coords, poses) = path.at(part);
     let found = with_poses(contact, &poses, |contact| kernels::evaluate_true(contact, &coords))?;
     let touching = found.pairs.iter().filter(|pair| pair.contact_area > 0.0).map(|pair| [pair.a, pair.b]);
-    let has_memory = |pair: &[Partner; 2]| has_memory(contact, pair);
-    Ok(touching
-        .filter(|pair| match wanted {
-            Wanted::Some(pairs) => pairs.contains(pair),
-            Wanted::All => has_memory(pair),
-        })
-        .collect())
+    let is_wanted = |pair: &[Partner; 2]| match wanted {
+        Wanted::Some(pairs) => pairs.contains(pair),
+        Wanted::All => true,
+    };
+    Ok(touching.filter(is_wanted).collect())
 }

@@ -59,7 +59,15 @@ pub(crate) async fn load_step<const D: usize>(
     if let Some(text) = uncommitted(&search, &step.x).await {
         search.warn(text);
     }
-    search.host.contact(move |contact| kept.keep(Before::of(contact))).await;
+    let coords = search.host.unknowns.coords(&step.x);
+    let begun = search.host.contact(move |contact| {
+        kept.keep(Before::of(contact));
+        // The same step is tried again.
+        if contact.history.step.as_ref().is_some_and(|step| *step.coords.given() == coords) {
+            contact.history.first_touches = FirstTouches::default();
+        }
+    });
+    begun.await;
     match in_parts(&mut search, &step).await {
         Ok(found) => Ok(found),
         Err(trouble) => {
@@ -104,14 +112,6 @@ async fn prepared<const D: usize>(
     let is_new = layers::complete(host, &assembly, &step.x).await?;
     let (has_friction, has_begun) = host.contact(|contact| (contact.has_friction(), contact.slip().is_ok())).await;
     let changes = host.contact(|contact| contact.has_history() || contact.partners.table.has_wear()).await;
-    let here = coords.clone();
-    host.contact(move |contact| {
-        // The same step is tried again.
-        if contact.history.step.as_ref().is_some_and(|step| *step.coords.given() == here) {
-            contact.history.first_touches = FirstTouches::default();
-        }
-    })
-    .await;
     if (has_friction || changes) && !has_begun {
         host.contact(move |contact| contact.begin_step(&coords)).await?;
     } else if has_friction && is_new {

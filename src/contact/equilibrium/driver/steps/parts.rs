@@ -72,7 +72,7 @@ pub(crate) async fn in_parts<const D: usize>(search: &mut Search<D>, step: &Load
     taken_up(search, &start, &step.moved).await;
     let start = falling_load(search, start).await?;
     let (mut x, mut done, mut part, mut counts) = (step.x.clone(), 0.0, 1.0, Counts::default());
-    let mut adrift = None;
+    let (mut adrift, mut is_straight) = (None, false);
     let mut is_at_touch = match first_of_all(search, step, &start).await? {
         Some(touching) => {
             x = touching;
@@ -98,6 +98,10 @@ pub(crate) async fn in_parts<const D: usize>(search: &mut Search<D>, step: &Load
             Ok(reached) if until == 1.0 => {
                 let before = (done == 0.0).then_some(before);
                 let reached = from_first_touch(search, reached, (&target, before), &mut counts).await?;
+                let is_none = search.host.contact(|contact| contact.history.first_touches.are_none()).await;
+                if is_straight && is_none && reached.state.contact.contact_area > 0.0 {
+                    search.warn(STRAIGHT.to_owned());
+                }
                 return finished(search, reached, &counts).await;
             }
             Ok(reached) => {
@@ -107,7 +111,7 @@ pub(crate) async fn in_parts<const D: usize>(search: &mut Search<D>, step: &Load
             }
             Err(_) if is_at_touch => {
                 // From where the step began, with slip that counts straight until something is found.
-                (x, is_at_touch) = (step.x.clone(), false);
+                (x, is_at_touch, is_straight) = (step.x.clone(), false, true);
                 search.warnings.truncate(told);
                 search.host.contact(|contact| before.without_first_touches().put_back(contact)).await;
             }

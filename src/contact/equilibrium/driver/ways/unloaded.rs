@@ -5,7 +5,7 @@
 
 use super::quadratic::Quadratic;
 use crate::Error;
-use crate::contact::equilibrium::driver::asking::host::System;
+use crate::contact::equilibrium::driver::asking::host::{Host, System};
 use crate::contact::equilibrium::driver::asking::trouble::Trouble;
 use crate::contact::equilibrium::driver::asking::unknowns::{largest, moved};
 use crate::contact::equilibrium::driver::bodies::elastic::{deformed, undeformed};
@@ -123,17 +123,27 @@ async fn relaxed<const D: usize>(
         }
         let system = System { x: &state.x, part: TangentPart::Full, shift };
         let right = state.residual.iter().map(|force| -force).collect();
-        let coords = search.host.unknowns.coords(&state.x);
-        let let_apart = search.host.contact(move |contact| {
-            contact.history.apart_at = Some(contact.mesh.points(&coords)?.into_owned());
-            Ok::<_, Error>(())
-        });
-        let_apart.await?;
-        let step = search.host.solve(system, right).await;
-        search.host.contact(|contact| contact.history.apart_at = None).await;
+        let step = solved_apart(&search.host, system, right).await;
         x = moved(&state.x, 1.0, &step?);
     }
     Ok(None)
+}
+
+/// The solution of a system in which surfaces count as apart.
+pub(crate) async fn solved_apart<const D: usize>(
+    host: &Host<D>,
+    system: System<'_>,
+    right: Vec<f64>,
+) -> Result<Vec<f64>, Trouble> {
+    let coords = host.unknowns.coords(system.x);
+    let let_apart = host.contact(move |contact| {
+        contact.history.apart_at = Some(contact.mesh.points(&coords)?.into_owned());
+        Ok::<_, Error>(())
+    });
+    let_apart.await?;
+    let found = host.solve(system, right).await;
+    host.contact(|contact| contact.history.apart_at = None).await;
+    found
 }
 
 /// The shortest way of loose bodies out of what they overlap, to a gap beyond a penetration; without one, until surfaces that overlap lie on
