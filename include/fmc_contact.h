@@ -680,10 +680,10 @@ fmc_status fmc_context_set_symmetry_nodes(fmc_context *context,
                                           const void *nodes,
                                           size_t count);
 
-// Measures straight faces as the round surfaces that they represent: where faces of first order meet at less than `feature_angle`
-// degrees, the surface between them is smooth. Its normal at a node follows from the faces around the node. For the law "depth"
-// between two bodies; 0, the default: faces are flat. Curved faces of second order are measured as curved in any case. At a larger
-// angle faces meet at an edge of the body: 30 is usual. A round body needs some 40 facets around it.
+// Measures straight faces as the round surfaces that they represent: where they meet at less than `feature_angle` degrees, the surface
+// between them is smooth. Its normal at a node follows from the faces around the node. For the law "depth" between two bodies; 0, the
+// default: faces are flat. Curved faces of second order are measured as curved in any case, and straight ones of second order in the same
+// body as flat. At a larger angle faces meet at an edge of the body: 30 is usual. A round body needs some 40 facets around it.
 //
 // Errors: `FMC_ERROR_NULL_POINTER`, `FMC_ERROR_NOT_POSITIVE` for an angle that is negative, NaN, or at least 90,
 // `FMC_ERROR_UNSUPPORTED` for a surface without cells and for a mesh in parts; the earlier angle is then kept. Threads: one call at a

@@ -61,7 +61,7 @@ impl<const D: usize> OwnMesh<D> {
     }
 }
 
-packed!(MostCurved { height, curvature });
+packed!(MostCurved { height, curvature, rise });
 
 /// What is known where the parts of all ranks have been held against one another.
 struct Border<const D: usize> {

@@ -4,7 +4,22 @@ import numpy as np
 import pytest
 from fmc_contact.errors import NotPositiveError
 from fmc_contact_skfem import SkfemContact
-from skfem import Basis, ElementHex1, ElementQuad1, ElementVector, MeshHex, MeshQuad
+from skfem import (
+    Basis,
+    ElementHex1,
+    ElementHex2,
+    ElementHexS2,
+    ElementQuad1,
+    ElementQuad2,
+    ElementQuadS2,
+    ElementTetP1,
+    ElementTetP2,
+    ElementTriP1,
+    ElementTriP2,
+    ElementVector,
+    MeshHex,
+    MeshQuad,
+)
 
 
 def sector(inner, outer, count):
@@ -53,3 +68,47 @@ def test_nothing_presses_along_rims():
     adapter.contact.mesh.set_symmetry_planes([([0, 0, 0], [1, 0, 0]), ([0, 0, 0], [0, 1, 0])])
     found = adapter.evaluate(u)
     assert np.abs(found.forces).max() < 1e-6 and "curved_faces" not in [warning.kind for warning in found.warnings]
+
+
+def bent(inner, outer, count, element):
+    """A quarter of a ring, 0.2 high where it is a solid: its cells are straight."""
+    angles, radii = np.linspace(0, np.pi / 2, count + 1), np.linspace(inner, outer, 3)
+    is_plane = element.dim == 2
+    mesh = MeshQuad.init_tensor(radii, angles) if is_plane else MeshHex.init_tensor(radii, angles, np.linspace(0, 0.2, 2))
+    x = np.stack([mesh.p[0] * np.cos(mesh.p[1]), mesh.p[0] * np.sin(mesh.p[1]), *mesh.p[2:]])
+    mesh = type(mesh)(x, mesh.t)
+    if element.refdom.nnodes == element.dim + 1:
+        mesh = mesh.to_meshtri() if is_plane else mesh.to_meshtet()
+    return Basis(mesh, ElementVector(element))
+
+
+@pytest.mark.parametrize("first, second", [
+    (ElementQuad1(), ElementQuad2()),
+    (ElementQuad1(), ElementQuadS2()),
+    (ElementTriP1(), ElementTriP2()),
+    (ElementHex1(), ElementHex2()),
+    (ElementHex1(), ElementHexS2()),
+    (ElementTetP1(), ElementTetP2()),
+])
+def test_second_order_on_a_straight_mesh_is_that_mesh(first, second):
+    # Rings with an interference of 1e-3, a third of the sag. Exact: k δ²/2 over the cylinder. The overlap of polygons has 0.75 of it.
+    exact = 0.5 * 1e3 * 1e-6 * np.pi / 2 * (1.0 if first.dim == 2 else 0.2)
+    told, energies = [], []
+    for element in (first, second):
+        bases = [bent(0.5, 1.001, 11, element), bent(1.0, 1.5, 14, element)]
+        adapter = SkfemContact([(bases[0], 0), (bases[1], bases[0].N)], stiffness=1e3)
+        axes = np.eye(first.dim)
+        ends = [(0 * axes[0], axes[0]), (0 * axes[0], axes[1])]
+        ends += [(0 * axes[0], axes[2]), (0.2 * axes[2], axes[2])] if first.dim == 3 else []
+        adapter.contact.mesh.set_symmetry_planes(ends)
+        u = np.zeros(adapter.size)
+        told.append([w.text for w in adapter.evaluate(u).warnings if w.kind == "curved_faces"])
+        adapter.set_surface_smoothing(30.0)
+        found = adapter.evaluate(u)
+        assert "curved_faces" not in [warning.kind for warning in found.warnings]
+        energies.append(found.energy)
+    # Of one geometry one sag is told, but for the places where the facets of the two touch.
+    sags = [float(text.split(" are ")[1].split(" away")[0]) for [text] in told]
+    assert sags[1] == pytest.approx(sags[0], rel=5e-3)
+    assert energies == pytest.approx([exact, exact], rel=3e-3)
+    assert energies[1] == pytest.approx(energies[0], rel=1e-3)

@@ -34,10 +34,10 @@ impl<const D: usize> Contact<D> {
         adjustment::set(self, offsets)
     }
 
-    /// Has straight faces that stand for round surfaces measured as these: where faces of first order meet at less than `feature_angle`
-    /// degrees, the surface between them is the smooth one whose normals at the nodes are those of the faces around each. For the law
-    /// `depth` between two bodies; 0 takes faces for flat, the default. Curved faces of second order are measured as curved in any
-    /// case. At a larger angle faces meet at an edge of the body: 30 is usual. A round body needs some 40 facets around it.
+    /// Has straight faces that stand for round surfaces measured as these: where they meet at less than `feature_angle` degrees, the surface
+    /// between them is the smooth one whose normals at the nodes are those of the faces around each. For the law `depth` between two
+    /// bodies; 0 takes faces for flat, the default. Curved faces of second order are measured as curved in any case, and straight ones of
+    /// second order in the same body as flat. At a larger angle faces meet at an edge of the body: 30 is usual. A round body needs some 40 facets around it.
     ///
     /// # Errors
     /// [`Error::NotPositive`] for an angle that is negative, no number, or 90 and more; [`Error::Unsupported`] for a surface without cells and

@@ -100,18 +100,28 @@ impl Bend {
     }
 }
 
-/// How high the curved faces of a body are above straight ones, and how far they bend, at most.
+/// How high the curved faces of a body are above straight ones, how far they bend, and how far faces of second order rise by the lengths of
+/// their edges, at most.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct MostCurved {
     pub(crate) height: f64,
     pub(crate) curvature: f64,
+    pub(crate) rise: f64,
 }
 
 impl MostCurved {
     pub(crate) fn max(self, other: Self) -> Self {
-        Self { height: self.height.max(other.height), curvature: self.curvature.max(other.curvature) }
+        Self {
+            height: self.height.max(other.height),
+            curvature: self.curvature.max(other.curvature),
+            rise: self.rise.max(other.rise),
+        }
     }
 }
+
+/// An edge that rises by less than this part of its length is straight: it turns by no more than some 1e-5, and coordinates in a file of single
+/// precision are no better.
+const STRAIGHT: f64 = 1e-6;
 
 /// Heights of all facets, and the largest of every body.
 pub(crate) struct FacetSags<const D: usize> {
@@ -126,8 +136,8 @@ pub(crate) const fn edge_count(dimension: usize) -> usize {
 
 impl<const D: usize> Surface<D> {
     /// Of every facet of a face of second order the height of that face, and with a feature angle, in radians, of all others the height of
-    /// the surface whose normals are those of the facets around each vertex; `None` where all faces are flat. Where the surface is
-    /// smooth, facets that meet agree on it.
+    /// the surface whose normals are those of the facets around each vertex, as of bodies whose faces of second order are all straight;
+    /// `None` where all faces are flat. Where the surface is smooth, facets that meet agree on it.
     pub(crate) fn facet_sags(
         &self,
         is_surface: impl Fn(usize) -> bool,
@@ -147,14 +157,26 @@ impl<const D: usize> Surface<D> {
 
     /// How curved the faces of every body are at most, each by itself.
     pub(crate) fn most_curved(&self) -> Vec<MostCurved> {
-        self.most_curved_of(&self.own_sags(|facet| self.is_surface_facet(facet), None).0)
+        let is_surface = |facet: usize| self.is_surface_facet(facet);
+        let rises = self.rises(is_surface);
+        let bodies = self.most_curved_of(&self.own_sags(is_surface, None).0);
+        bodies.into_iter().zip(rises).map(|(body, rise)| MostCurved { rise, ..body }).collect()
+    }
+
+    /// Whether faces of second order say themselves how a body bends, by body: the edges of some rise above their chords.
+    pub(super) fn are_curved(&self, is_surface: impl Fn(usize) -> bool) -> Vec<bool> {
+        let rises = match &self.submesh {
+            Some(submesh) => submesh.most_curved.iter().map(|body| body.rise).collect(),
+            None => self.rises(is_surface),
+        };
+        rises.into_iter().map(|rise| rise > STRAIGHT).collect()
     }
 
     fn most_curved_of(&self, sags: &[FacetSag<D>]) -> Vec<MostCurved> {
         let points = self.points(self.reference());
         let of_facet = |facet: usize| {
             let corners = self.facets[facet].map(|vertex| points[vertex as usize]);
-            MostCurved { height: sags[facet].largest(), curvature: sags[facet].curvature(&corners).abs() }
+            MostCurved { height: sags[facet].largest(), curvature: sags[facet].curvature(&corners).abs(), rise: 0.0 }
         };
         let of_body = |range: &Range<usize>| range.clone().map(of_facet).fold(MostCurved::default(), MostCurved::max);
         self.ranges.iter().map(of_body).collect()

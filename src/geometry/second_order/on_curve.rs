@@ -40,6 +40,11 @@ impl<const D: usize> OnCurve<'_, D> {
         place
     }
 
+    /// A corner of the curved cell, in its coordinates.
+    pub(crate) fn corner(&self, corner: usize) -> [f64; 3] {
+        self.curved.place_of_point(corner)
+    }
+
     pub(crate) fn position(&self, place: [f64; 3]) -> Vector<D> {
         self.curved.position(self.cell, place, self.coords)
     }

@@ -8,6 +8,8 @@ use super::FacetSag;
 use crate::geometry::boundary::facets_around::FacetsAround;
 use crate::geometry::boundary::symmetry::AcrossPlanes;
 use crate::geometry::{Surface, Vector};
+use rustc_hash::FxHashMap;
+use smallvec::SmallVec;
 
 /// What is around the vertices of a surface.
 pub(super) struct Smoothed<'a, const D: usize> {
@@ -15,6 +17,8 @@ pub(super) struct Smoothed<'a, const D: usize> {
     points: &'a [Vector<D>],
     normals: &'a [Vector<D>],
     is_surface: Vec<bool>,
+    /// Whether the faces of a body are curved themselves.
+    is_curved: Vec<bool>,
     around: FacetsAround,
     /// Cosine of the feature angle.
     smooth: f64,
@@ -35,44 +39,30 @@ impl<'a, const D: usize> Smoothed<'a, D> {
             points,
             normals,
             is_surface: (0..surface.facets.len()).map(is_surface).collect(),
+            is_curved: surface.are_curved(is_surface),
             around: FacetsAround::new(surface),
             smooth: feature_angle.cos(),
         }
     }
 
-    /// Adds the heights of facets of straight cells.
+    /// Has the facets of straight cells rise, and those of straight faces of second order.
     pub(super) fn add_to(&self, sags: &mut [FacetSag<D>]) {
-        let node_count = self.surface.nodes.len();
-        let is_straight = |facet: usize| {
-            let cell = self.surface.facet_cell[facet] as usize;
-            self.surface.division().and_then(|division| division.cell_type(cell)).is_none_or(|t| t.straight() == t)
-        };
-        let mut of_middle = vec![0.0; self.surface.centroids.len()];
-        for (number, facet) in self.surface.facets.iter().enumerate() {
-            if !self.is_surface[number] || !is_straight(number) {
-                continue;
-            }
-            // Of a face that is split about its middle the edges between its own nodes are edges of the surface.
-            let middle = (facet[D - 1] as usize).checked_sub(node_count);
-            let count = if D == 2 || middle.is_some() { 1 } else { D };
-            for k in 0..count {
-                let rise = self.rise(number, facet[k], facet[(k + 1) % D]);
-                sags[number].at_edges[k] = rise;
-                if let Some(middle) = middle {
-                    of_middle[middle] += rise;
-                }
-            }
+        let mut of_faces: FxHashMap<[u32; 2], SmallVec<[f64; 4]>> = FxHashMap::default();
+        for (number, sag) in sags.iter_mut().enumerate().filter(|(number, _)| self.is_straight(*number)) {
+            let whole = self.surface.on_face(number, true);
+            let rises = of_faces
+                .entry(whole.face)
+                .or_insert_with(|| whole.edges().map(|[i, j]| self.rise(number, i, j)).collect());
+            *sag = whole.sag(rises);
         }
-        for (number, facet) in self.surface.facets.iter().enumerate() {
-            let Some(middle) = (facet[D - 1] as usize).checked_sub(node_count) else { continue };
-            if !self.is_surface[number] || !is_straight(number) {
-                continue;
-            }
-            // Each direction of the face rises by the mean of its two edges, from zero at the corners: in the middle by both.
-            let height = 0.5 * of_middle[middle];
-            sags[number].at_corners[D - 1] = height;
-            (1..D).for_each(|k| sags[number].at_edges[k] = 0.25 * height);
-        }
+    }
+
+    /// Whether the mesh does not say itself how the surface bends at a facet.
+    fn is_straight(&self, facet: usize) -> bool {
+        let cell = self.surface.facet_cell[facet] as usize;
+        let is_first_order =
+            || self.surface.division().and_then(|division| division.cell_type(cell)).is_none_or(|t| t.straight() == t);
+        self.is_surface[facet] && (!self.is_curved[self.around.body(facet) as usize] || is_first_order())
     }
 
     /// How far the arc over an edge of a facet rises above it.
@@ -112,7 +102,10 @@ impl<'a, const D: usize> Smoothed<'a, D> {
     /// With what part a facet counts at a vertex: by its angle there, in the plane by one over its length, so that three points on an arc
     /// have its normal.
     fn weight(&self, facet: usize, vertex: u32) -> f64 {
-        let corners = self.surface.facets[facet];
+        let corners = match D {
+            2 => self.surface.on_face(facet, self.is_straight(facet)).corners,
+            _ => SmallVec::from_slice(&self.surface.facets[facet]),
+        };
         let at = |k: usize| self.points[corners[k % D] as usize];
         let Some(k) = corners.iter().position(|v| *v == vertex) else { return 0.0 };
         if D == 2 {
