@@ -12,18 +12,21 @@
 //! with J(c) the integral of the depths beyond c over the overlap, and Ψ' = g up to c, from there down to zero at m c: a flat contact has
 //! the pressure k g at every depth g.
 //!
-//! `tent` (Ψ) · `shell`, `layer` (a body and a layer around it) · `facet_points`, `of_facet` (facets, and how they are
-//! divided) · `facet_point`, `point_blocks`, `borders`, `rules` (points on them) · `height_errors` (of coarse faces) ·
+//! `tent` (Ψ) · `shell`, `layer` (a body and a layer around it) · `facet_points`, `of_facet`, `by_rays`, `rays`, `parabola` (facets, and how
+//! they are divided) · `facet_point`, `point_blocks`, `borders`, `rules` (points on them) · `height_errors` (of coarse faces) ·
 //! `joined` (all together)
 
 mod borders;
+mod by_rays;
 mod facet_point;
 mod facet_points;
 mod height_errors;
 mod joined;
 mod layer;
 mod of_facet;
+mod parabola;
 mod point_blocks;
+mod rays;
 mod rules;
 mod shell;
 mod tent;

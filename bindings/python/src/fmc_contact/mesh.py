@@ -293,9 +293,9 @@ class Mesh:
     def set_surface_smoothing(self, feature_angle: float) -> None:
         """Measures straight faces as the round surfaces that they represent.
 
-        Where these meet at less than the angle, the surface between them is smooth. Its normal at a node follows from the faces around the node. It is
-        for the law ``"depth"`` between two bodies. Curved faces of second order are measured as curved in any case, and straight ones of second order
-        in the same body as flat.
+        Where these meet at less than the angle, the surface between them is smooth. Its normal at a node follows from the faces around the node.
+        It is for the law ``"depth"`` between two bodies. Curved faces of second order are measured as curved in any case, and straight ones of
+        second order in the same body as flat.
 
         Parameters
         ----------

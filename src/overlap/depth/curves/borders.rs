@@ -3,6 +3,7 @@
 use super::facet_point::HALF;
 use super::facet_points::FacetPoints;
 use super::of_facet::{Below, OfFacet};
+use super::parabola::Marks;
 use super::point_blocks::PointSlopes;
 use super::rules::border_points;
 use crate::depth_field::DepthPiece;
@@ -46,7 +47,8 @@ impl<const D: usize> FacetPoints<'_, D> {
             }
         }
         for (by, [w, v], length) in borders {
-            let cuts = if D == 2 { vec![0.0, 1.0] } else { self.cuts(of_facet.sag, below_it, [&w, &v]) };
+            let cuts =
+                if D == 2 { Marks::from_slice(&[0.0, 1.0]) } else { self.cuts(of_facet.sag, below_it, [&w, &v]) };
             for pair in cuts.windows(2) {
                 let width = pair[1] - pair[0];
                 for (at, share) in border_points::<D>() {

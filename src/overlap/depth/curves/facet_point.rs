@@ -46,7 +46,7 @@ impl<const D: usize> FacetPoints<'_, D> {
         }
     }
 
-    fn add_point(
+    pub(super) fn add_point(
         &self,
         of_facet: &mut OfFacet<D>,
         below_it: &Below<D>,

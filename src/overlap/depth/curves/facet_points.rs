@@ -2,6 +2,7 @@
 
 use super::height_errors::HeightErrors;
 use super::of_facet::{Below, OfFacet};
+use super::parabola::{Marks, crossings, quadratic};
 use super::rules::Rules;
 use super::shell::Shell;
 use super::tent::Tent;
@@ -101,7 +102,7 @@ impl<const D: usize> FacetPoints<'_, D> {
         found
     }
 
-    /// Adds a convex part of a facet over a piece, simplex by simplex between the levels of the tent.
+    /// Adds a convex part of a facet over a piece: by rays, or simplex by simplex between the levels of the tent.
     fn add(
         &self,
         of_facet: &mut OfFacet<D>,
@@ -133,6 +134,9 @@ impl<const D: usize> FacetPoints<'_, D> {
                 0.5 * counts * share * facet.measure * self.weighting.at(&middle)
             };
             for_each_simplex(part, |corners, share| found.sums.flush += measure(share, corners));
+        }
+        if D == 3 && !self.is_flat(of_facet.sag, below_it) {
+            return self.add_by_rays(of_facet, below_it, part, counts, found);
         }
         let levels = self.tent.levels();
         for_each_simplex(part, |corners, share| {
@@ -166,17 +170,9 @@ impl<const D: usize> FacetPoints<'_, D> {
     }
 
     /// Parts of the way between two places of the facet at which the depth, a quadratic function, is that of a level, with both ends.
-    pub(super) fn cuts(&self, sag: &FacetSag<D>, below_it: &Below<D>, [from, to]: [&[f64; D]; 2]) -> Vec<f64> {
+    pub(super) fn cuts(&self, sag: &FacetSag<D>, below_it: &Below<D>, [from, to]: [&[f64; D]; 2]) -> Marks {
         let depth = |t: f64| self.depth(sag, below_it, &std::array::from_fn(|c| from[c] + t * (to[c] - from[c]))).0;
-        let [first, middle, last] = [0.0, 0.5, 1.0].map(depth);
-        let (slope, bend) = (4.0 * middle - 3.0 * first - last, 2.0 * (first + last) - 4.0 * middle);
-        let mut cuts = vec![0.0, 1.0];
-        for level in self.tent.levels() {
-            cuts.extend(roots(bend, slope, first - level).into_iter().filter(|t| 0.0 < *t && *t < 1.0));
-        }
-        cuts.sort_unstable_by(f64::total_cmp);
-        cuts.dedup();
-        cuts
+        crossings(&quadratic(depth), &self.tent.levels())
     }
 
     /// Divides a simplex of the facet where the depth is that of a level, and adds the points of what it is divided into.
@@ -207,10 +203,4 @@ impl<const D: usize> FacetPoints<'_, D> {
             self.between_levels(of_facet, below_it, &in_facet(simplex), (share * part, higher), found);
         });
     }
-}
-
-/// Where a t² + b t + c = 0, without loss of digits; not finite where there is no root.
-fn roots(a: f64, b: f64, c: f64) -> [f64; 2] {
-    let q = -0.5 * (b + (b * b - 4.0 * a * c).sqrt().copysign(b));
-    [q / a, c / q]
 }
