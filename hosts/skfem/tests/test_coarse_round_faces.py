@@ -57,7 +57,7 @@ def test_a_coarse_press_fit_is_found_either_way(shaft, hub, layers, interference
     pair.contact.contact.mesh.set_symmetry_planes([(np.zeros(3), normal) for normal in np.eye(3)])
     held = np.concatenate([pair.where(lambda x, k=k: np.isclose(x[k], 0), f"u^{k + 1}") for k in range(3)])
     ways = [pair.found(held, two_level=two_level) for two_level in (True, False)]
-    # Newton's method alone takes 6 to 14 steps; with forces that jump none ended within 100.
+    # Newton's method alone takes 6 to 14 steps; with forces that jump most did not end within 100.
     assert all(found.iterations <= 20 for found, _ in ways)
     forces = [force for _, force in ways]
     # Surfaces may be moved out by another penetration within what a search leaves.

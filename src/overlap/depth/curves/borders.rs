@@ -2,7 +2,7 @@
 
 use super::facet_point::HALF;
 use super::facet_points::FacetPoints;
-use super::of_facet::{Below, OfFacet};
+use super::of_facet::{Below, OfFacet, on};
 use super::parabola::Marks;
 use super::point_blocks::PointSlopes;
 use super::rules::border_points;
@@ -53,8 +53,7 @@ impl<const D: usize> FacetPoints<'_, D> {
                 let width = pair[1] - pair[0];
                 for (at, share) in border_points::<D>() {
                     let at = pair[0] + at * width;
-                    let w: [f64; D] = std::array::from_fn(|c| w[c] + at * (v[c] - w[c]));
-                    self.add_border_point(of_facet, below_it, &w, (by, part * share * width * length));
+                    self.add_border_point(of_facet, below_it, &on(&w, &v, at), (by, part * share * width * length));
                 }
             }
         }

@@ -8,7 +8,7 @@
 //! elsewhere. So these are left out, and the rays begin in a corner that does not depend on where the part does.
 
 use super::facet_points::{FacetPoints, PointsFound};
-use super::of_facet::{Below, OfFacet};
+use super::of_facet::{Below, OfFacet, on};
 use super::parabola::{crossings, quadratic, value};
 use super::rays::{GAUSS, Levels, Rays};
 use crate::geometry::primitives::quadrature::{ON_CURVE, for_each_simplex};
@@ -91,11 +91,6 @@ impl<const D: usize> FacetPoints<'_, D> {
             }
         }
     }
-}
-
-/// A place on the way from one to another.
-fn on<const D: usize>(from: &[f64; D], to: &[f64; D], part: f64) -> [f64; D] {
-    std::array::from_fn(|c| from[c] + part * (to[c] - from[c]))
 }
 
 /// The corners of a part that stand out by more than rounding, from the one that lies farthest one way.

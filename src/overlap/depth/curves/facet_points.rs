@@ -1,7 +1,7 @@
 //! Facets of one body in the shell of another, divided until points can sum up what is in a part.
 
 use super::height_errors::HeightErrors;
-use super::of_facet::{Below, OfFacet};
+use super::of_facet::{Below, OfFacet, on};
 use super::parabola::{Marks, crossings, quadratic};
 use super::rules::Rules;
 use super::shell::Shell;
@@ -171,7 +171,7 @@ impl<const D: usize> FacetPoints<'_, D> {
 
     /// Parts of the way between two places of the facet at which the depth, a quadratic function, is that of a level, with both ends.
     pub(super) fn cuts(&self, sag: &FacetSag<D>, below_it: &Below<D>, [from, to]: [&[f64; D]; 2]) -> Marks {
-        let depth = |t: f64| self.depth(sag, below_it, &std::array::from_fn(|c| from[c] + t * (to[c] - from[c]))).0;
+        let depth = |t: f64| self.depth(sag, below_it, &on(from, to, t)).0;
         crossings(&quadratic(depth), &self.tent.levels())
     }
 

@@ -70,3 +70,8 @@ impl<'a, const D: usize> Below<'a, D> {
         (0..=D).fold(Vector::zeros(), |sum, k| sum + self.piece.slopes[k] * by_coordinate[k])
     }
 }
+
+/// A place of a facet on the way from one to another.
+pub(super) fn on<const D: usize>(from: &[f64; D], to: &[f64; D], part: f64) -> [f64; D] {
+    std::array::from_fn(|c| from[c] + part * (to[c] - from[c]))
+}
