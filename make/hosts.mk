@@ -25,7 +25,7 @@ host-environment:
 	  || $(SYSTEM_PYTHON) -m venv --clear --system-site-packages $(HOSTS)
 	@$(MAKE) -s install PREFIX=$(HOSTS) BUILT=$(TARGET)/release/deps
 	$(MAKE) -C hosts/petsc PREFIX=$(HOSTS) OUT=$(HOSTS)/bin
-	$(HOSTS)/bin/python -m pip install -q pytest
+	$(HOSTS)/bin/python -m pip install -q pytest pytest-xdist
 	$(HOSTS)/bin/python -m pip install -q --no-deps \
 	  scikit-fem ./bindings/python ./benchmarks/agreement ./hosts/skfem ./hosts/dolfinx ./hosts/getfem
 
@@ -38,11 +38,11 @@ GETFEM_FOLDERS = hosts/getfem benchmarks/agreement/drivers/getfem benchmarks/pee
 RUN_GETFEM = $(RUN_HOSTS) PYTHONPATH=$(subst $(SPACE),:,$(addprefix $(CURDIR)/,$(GETFEM_FOLDERS)))
 
 hosts: host-environment
-	$(RUN_HOSTS) $(SUITE_OF) "scikit-fem" $(HOSTS)/bin/python -m pytest -q hosts/skfem benchmarks/skfem
-	$(RUN_HOSTS) $(SUITE_OF) "FEniCSx" $(HOSTS)/bin/python -m pytest -q hosts/dolfinx
+	$(RUN_HOSTS) $(SUITE_OF) "scikit-fem" $(HOSTS)/bin/python -m pytest -q $(ON_ALL_CORES) hosts/skfem benchmarks/skfem
+	$(RUN_HOSTS) $(SUITE_OF) "FEniCSx" $(HOSTS)/bin/python -m pytest -q $(ON_ALL_CORES) hosts/dolfinx
 	$(RUN_HOSTS) $(SUITE_OF) "PETSc" $(HOSTS)/bin/python -m pytest -q hosts/petsc
 	$(RUN_GETFEM) $(SUITE_OF) "GetFEM" $(HOSTS)/bin/python -m pytest -q hosts/getfem
-	$(RUN_HOSTS) $(SUITE_OF) "problems with known answers" $(HOSTS)/bin/python -m pytest -q -p no:cacheprovider suite
+	$(RUN_HOSTS) $(SUITE_OF) "problems with known answers" $(HOSTS)/bin/python -m pytest -q -p no:cacheprovider $(ON_ALL_CORES) suite
 	$(RUN_HOSTS) $(SUITE_OF) "agreement of the hosts" $(HOSTS)/bin/python -m pytest -q benchmarks/agreement
 
 # One stiffness of contact, k h / E, after the other; a million unknowns take some 6 GB, and on one core up to half an hour each.
