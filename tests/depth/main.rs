@@ -30,6 +30,8 @@ mod seams;
 mod shells;
 mod slices;
 mod slopes;
+mod smooth_friction;
+mod smoothing;
 mod swallowed;
 mod symmetry;
 mod units;

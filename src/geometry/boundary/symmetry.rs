@@ -68,13 +68,14 @@ impl<const D: usize> SymmetryPlane<D> {
 #[derive(Default)]
 pub(crate) struct AcrossPlanes<const D: usize>(Vec<Vector<D>>);
 
-/// A normal with no more than this beside others is one of theirs.
-const ROUNDING: f64 = 1e-9;
+/// A normal with no more than this beside others is one of theirs: faces of one plane tilt as far as their corners are beside it, by rounding of the
+/// coordinates in a file, or where a plane is held by springs.
+const TILT: f64 = 0.02;
 
 impl<const D: usize> AcrossPlanes<D> {
     /// Adds that of a face in such a plane, by its normal.
     pub(crate) fn add(&mut self, normal: &Vector<D>) {
-        self.0.extend(self.taken_from(*normal).try_normalize(ROUNDING));
+        self.0.extend(self.taken_from(*normal).try_normalize(TILT));
     }
 
     pub(crate) fn is_empty(&self) -> bool {

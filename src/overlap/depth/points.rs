@@ -80,15 +80,19 @@ packed!(DepthPlace<D> { weights, other });
 const ROUNDING: f64 = 1e-9;
 
 impl<const D: usize> DepthPlace<D> {
-    /// This place, where it is one: on the facet, and in the cell. Another otherwise.
-    pub(crate) fn or(self, another: Self) -> Self {
-        let is_weight = |weight: &f64| (-ROUNDING..=1.0 + ROUNDING).contains(weight);
+    /// This place, where it is one: on the facet, and in the cell or no farther `beyond` it. Another otherwise.
+    pub(crate) fn or(self, another: Self, beyond: f64) -> Self {
+        let on_facet = self.weights.iter().all(|weight| (-ROUNDING..=1.0 + ROUNDING).contains(weight));
         let in_cell = self.other.as_ref().map_or(&[][..], |place| &place.weights);
-        match self.weights.iter().chain(in_cell).all(is_weight) {
-            true => self,
-            false => another,
-        }
+        let beyond = beyond + ROUNDING;
+        let is_place = on_facet && in_cell.iter().all(|weight| (-beyond..=1.0 + beyond).contains(weight));
+        if is_place { self } else { another }
     }
+}
+
+/// How far weights are beyond 0 and 1.
+pub(crate) fn beyond(weights: &[f64]) -> f64 {
+    weights.iter().fold(0.0, |most, weight| f64::max(most, (weight - 0.5).abs() - 0.5))
 }
 
 /// A mean depth, or the largest where the mean is more by more than rounding: then it is a quotient of what is rounding itself.

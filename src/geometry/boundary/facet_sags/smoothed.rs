@@ -80,23 +80,39 @@ impl<'a, const D: usize> Smoothed<'a, D> {
         if rise.abs() > ROUNDING * along.norm() { rise } else { 0.0 }
     }
 
-    /// The normal of the surface at a vertex, as smooth as a facet sees it; `None` where no other facet goes on there smoothly.
+    /// The normal of the surface at a vertex, as a facet sees it; `None` where no other facet goes on there smoothly.
     fn normal_at(&self, vertex: u32, facet: usize) -> Option<Vector<D>> {
-        let own = &self.normals[facet];
-        let (mut sum, mut ends, mut count) = (Vector::<D>::zeros(), AcrossPlanes::default(), 0);
-        for other in self.around.of_body(facet, vertex) {
-            if !self.is_surface[other] {
-                ends.add(&self.normals[other]);
-            } else if self.normals[other].dot(own) > self.smooth {
-                sum += self.normals[other] * self.weight(other, vertex);
-                count += 1;
-            }
-        }
+        let (mut sum, mut ends) = (Vector::<D>::zeros(), AcrossPlanes::default());
+        let others: SmallVec<[usize; 16]> = self.around.of_body(facet, vertex).collect();
+        others.iter().filter(|&&other| !self.is_surface[other]).for_each(|&other| ends.add(&self.normals[other]));
+        let face = self.face_at(facet, vertex, &others);
+        face.iter().for_each(|&other| sum += self.normals[other] * self.weight(other, vertex));
+        let count = face.len();
         if ends.is_empty() && count < 2 {
             return None;
         }
         // A body that goes on behind a plane of symmetry has the mirrored facet there, in a corner of planes behind each of them.
         ends.taken_from(sum).try_normalize(0.0)
+    }
+
+    /// The facets at a vertex that a facet goes on in, from one to the next over edges at less than the feature angle: from the first to the last
+    /// they may turn by more, as around a vertex of a coarse ball.
+    fn face_at(&self, facet: usize, vertex: u32, around: &[usize]) -> SmallVec<[usize; 16]> {
+        let corners = |of: usize| self.surface.facets[of].iter().filter(move |&&corner| corner != vertex);
+        let mut face = SmallVec::from_slice(&[facet]);
+        let mut next = 0;
+        while let Some(&one) = face.get(next) {
+            for &other in around.iter().filter(|&&other| self.is_surface[other]) {
+                let has_edge = D == 2 || corners(one).any(|v| corners(other).any(|w| v == w));
+                if has_edge && !face.contains(&other) && self.normals[other].dot(&self.normals[one]) > self.smooth {
+                    face.push(other);
+                }
+            }
+            next += 1;
+        }
+        // Sums in one order, whichever facet asks.
+        face.sort_unstable();
+        face
     }
 
     /// With what part a facet counts at a vertex: by its angle there, in the plane by one over its length, so that three points on an arc

@@ -2,7 +2,7 @@
 
 use crate::depth_field::DepthPiece;
 use crate::geometry::Vector;
-use crate::overlap::depth::points::{DepthPlace, DepthPoint, PlaceInCell, no_deeper};
+use crate::overlap::depth::points::{DepthPlace, DepthPoint, PlaceInCell, beyond, no_deeper};
 use crate::overlap::pair::body_facet::BodyFacet;
 
 /// Sums over what a facet has inside the cells of the other body, in parts of its measure.
@@ -17,6 +17,8 @@ struct InCell<const D: usize> {
     deepest: f64,
     largest: f64,
     inside: DepthPlace<D>,
+    /// How far places lie beyond the cell: those over curved faces do, in the layer around it.
+    beyond: f64,
     /// Sums with the depth, and with 1, for weight.
     pressed: PlaceSums<D>,
     middle: PlaceSums<D>,
@@ -66,6 +68,7 @@ impl<const D: usize> PointSums<D> {
         let sums = self.of_cell(piece.cell);
         sums.deepest = sums.deepest.max(pressed / area);
         let in_cell = piece.at_nodes(in_piece);
+        sums.beyond = sums.beyond.max(beyond(&in_cell));
         if area > sums.largest {
             let other = Some(PlaceInCell { cell: piece.cell, weights: in_cell });
             (sums.largest, sums.inside) = (area, DepthPlace { weights: *on_facet, other });
@@ -99,11 +102,12 @@ impl<const D: usize> PointSums<D> {
         self.0.into_iter().filter_map(move |sums| {
             let (depth, area) = (sums.pressed.total(), sums.middle.total());
             let is_pressed = area > 0.0 && depth > 0.0;
+            let middle = || sums.middle.mean(sums.cell).or(sums.inside, sums.beyond);
             is_pressed.then(|| DepthPoint {
                 of_b,
                 facet: number,
-                pressed: sums.pressed.mean(sums.cell).or(sums.middle.mean(sums.cell)).or(sums.inside),
-                middle: sums.middle.mean(sums.cell).or(sums.inside),
+                pressed: sums.pressed.mean(sums.cell).or(middle(), sums.beyond),
+                middle: middle(),
                 gradients: sums.gradients.map(|sum| sum / area),
                 depth: no_deeper(depth / area, sums.deepest),
                 area: weight * measure * area,
@@ -119,7 +123,7 @@ impl<const D: usize> InCell<D> {
         let other = PlaceInCell { cell, weights: [0.0; 8] };
         let inside = DepthPlace { weights: [0.0; D], other: Some(other) };
         let (slope, gradients) = (Vector::zeros(), [Vector::zeros(); 8]);
-        Self { cell, slope, deepest: 0.0, largest: f64::NEG_INFINITY, inside, pressed, middle, gradients }
+        Self { cell, slope, deepest: 0.0, largest: f64::NEG_INFINITY, inside, beyond: 0.0, pressed, middle, gradients }
     }
 
     /// Takes note of how deep a part lies, and where, if it is the largest so far. Where walls are flush, sums are rounding, and so would

@@ -88,11 +88,11 @@ impl<const D: usize> FacetMoments<D> {
     fn point(&self, facet: &BodyFacet<D>) -> Option<DepthPoint<D>> {
         let (area, total): (f64, f64) = (self.area.iter().sum(), self.depth());
         let place = |weights: [f64; D]| DepthPlace { weights, other: None };
-        let middle = place(self.area.map(|part| part / area)).or(place([1.0 / D as f64; D]));
+        let middle = place(self.area.map(|part| part / area)).or(place([1.0 / D as f64; D]), 0.0);
         (area > 0.0 && total > 0.0).then(|| DepthPoint {
             of_b: false,
             facet: facet.number,
-            pressed: place(self.depth.map(|depth| depth / total)).or(middle),
+            pressed: place(self.depth.map(|depth| depth / total)).or(middle, 0.0),
             middle,
             gradients: [Vector::zeros(); 8],
             depth: no_deeper(total / area, self.deepest),
