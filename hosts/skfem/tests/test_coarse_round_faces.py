@@ -68,6 +68,35 @@ def test_a_coarse_press_fit_is_found_either_way(shaft, hub, layers, interference
     assert forces[1] == pytest.approx(forces[0], rel=1e-3, abs=1e-3 * np.abs(forces[0]).max())
 
 
+def fit_between_planes(smoothed):
+    """Rings of 8 and 11 facets per quarter with an interference of 2e-3, held along z: the pair, and the equilibrium."""
+    pair = Pair([sector(0.5, 1.001, (2, 8, 1), 0.5), sector(0.999, 1.5, (2, 11, 1), 0.5)], 0.0)
+    if not smoothed:
+        pair.contact.set_surface_smoothing(0.0)
+    planes = [(np.zeros(3), normal) for normal in np.eye(3)] + [([0, 0, 0.5], [0, 0, 1])]
+    pair.contact.contact.mesh.set_symmetry_planes(planes)
+    held = [pair.where(lambda x, k=k: np.isclose(x[k], 0), f"u^{k + 1}") for k in range(3)]
+    found, _ = pair.found(np.concatenate([*held, pair.where(lambda x: np.isclose(x[2], 0.5), "u^3")]))
+    return pair, found
+
+
+def test_nodal_pressures_have_no_spikes():
+    """Nodes whose facets do not touch have no pressure to speak of, those on the outer face in the planes of symmetry among them."""
+    pair, found = fit_between_planes(smoothed=True)
+    # Lamé's solution of plane strain: the rings give by (R² + r²) / (R² − r²) each, and by the Poisson's ratios, which cancel.
+    exact = 2e-3 * 1e6 / (1 - 0.3**2) / (3.25 / 1.25 + 1.25 / 0.75)
+    pressure = pair.contact.nodal_contact(found.x).pressure
+    assert pressure.max() == pytest.approx(exact, rel=0.1)
+    radius = np.hypot(*pair.contact.nodes(np.zeros(pair.contact.size))[:, :2].T)
+    assert pressure[np.abs(radius - 1) > 0.1].max() < 1e-2 * exact
+
+
+def test_faceted_fits_are_advised_to_be_smoothed():
+    _, found = fit_between_planes(smoothed=False)
+    within_facets = [text for text in found.warnings if "within single facets" in text]
+    assert within_facets and all("smooth their round faces" in text for text in within_facets)
+
+
 def cap(inner, outer, count, half, turn):
     """A part of a shell around the origin, towards z: its sides are 2 half wide."""
     angles = np.linspace(-half, half, count + 1)

@@ -40,7 +40,7 @@ pub struct NodalContact<const D: usize> {
     pub gap: Vec<f64>,
     /// Area (2D: length) on which the pressure acts: ∫ N dA over the part of the facets in contact, N being the node's shape
     /// function. Never larger than ∫ N dA over all of the node's facets, but for the error of counting by lines; not so small that the
-    /// pressure would be larger than that of the law anywhere.
+    /// pressure would be larger than that of the law anywhere, or than twice that on the node's facets: where these do not touch, the force acts on all of them.
     pub area: Vec<f64>,
     /// Unit normal, outwards of the node's body, against the nodal force.
     pub normal: Vec<[f64; D]>,
@@ -52,6 +52,10 @@ pub struct NodalContact<const D: usize> {
     /// Whether there is contact, and whether it sticks.
     pub status: Vec<NodeStatus>,
 }
+
+/// The pressure of the nodal force by that of the law on the node's facets, at most: by more where facets of the other side press the cell and
+/// those of the node hardly touch. Where both touch, the two differ by some tenths.
+const SPIKE: f64 = 2.0;
 
 /// NodeTotals at one node.
 #[derive(Clone, Copy)]
@@ -196,16 +200,20 @@ impl<const D: usize> NodeTotals<D> {
         self.touches |= area > 0.0;
     }
 
-    /// The area on which the force acts. Other sides press nodes whose own facets hardly touch: then it is that on which the largest
-    /// pressure there is makes the force.
+    /// The area on which the force acts. Other sides press nodes whose own facets hardly touch: then it is more than that, so that the pressure is
+    /// no more than a few times that on its facets, up to all of them.
     fn pressed_area(&self) -> f64 {
         let force = self.force.norm();
         let least = quotient(force, self.largest);
-        match force > 0.0 {
-            true if self.share > 0.0 && !self.is_counted => self.area.max(least).min(self.share),
-            true => self.area.max(least),
-            false => self.area.clamp(0.0, self.share.max(0.0)),
+        if force == 0.0 {
+            return self.area.clamp(0.0, self.share.max(0.0));
         }
+        if self.share <= 0.0 || self.is_counted {
+            return self.area.max(least);
+        }
+        let on_facets = SPIKE * self.mean(self.pressure);
+        let without_spike = if on_facets > 0.0 { force / on_facets } else { f64::INFINITY };
+        self.area.max(least).max(without_spike).min(self.share)
     }
 
     /// A mean over what touches, never negative.

@@ -19,8 +19,8 @@ class NodalContact:
 
     The nodal force without its friction is ``-(pressure * area)[:, None] * normal``, to rounding. With cells of second order
     that is the force at the point of their division that represents the node (see ``PointWeights``). Nodes at the edge of the contact may
-    have a tiny area, so a mean pressure is weighted with the area: ``numpy.average(pressure, weights=area)``. At such nodes the pressure can be many
-    times the pressure beside them: for the largest one take nodes with a fair area, ``pressure[area > area.max() / 4].max()``.
+    have a tiny area, so a mean pressure is weighted with the area: ``numpy.average(pressure, weights=area)``. The pressure is no more
+    than twice ``local_pressure``; nodes that only the other side presses have the small one of their force on all of their surface.
 
     Attributes
     ----------

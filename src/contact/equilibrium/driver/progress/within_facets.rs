@@ -5,7 +5,7 @@ use crate::contact::equilibrium::driver::asking::assembly::Assembly;
 use crate::contact::equilibrium::driver::asking::host::Host;
 use crate::contact::history::sorted;
 use crate::contact::results::PairForces;
-use crate::overlap::Partner;
+use crate::overlap::{Partner, Warning};
 use std::collections::BTreeSet;
 
 /// Mean penetration by the bodies' own displacement of which something is said where no update follows: displacements or forces are wrong
@@ -42,14 +42,25 @@ pub(crate) async fn within_facets<const D: usize>(
         let presses = pair.pressure * pair.contact_area > UNLOADED * scale;
         presses && pair.a != pair.b && !with_multipliers.contains(&sorted([pair.a, pair.b])) && mean(pair) > most
     };
+    let are_faceted = |pair: &PairForces| {
+        let is_of = |warning: &Warning| match warning {
+            Warning::CurvedFaces { a, b, .. } => sorted([*a, *b]) == sorted([pair.a, pair.b]),
+            _ => false,
+        };
+        state.contact.warnings.iter().any(is_of)
+    };
     let said = |pair: &PairForces| {
         let part = displacement.map_or_else(String::new, |displacement| match mean(pair) / displacement {
             part if part > 1.0 => ", more than the bodies' own displacement".to_owned(),
             part => format!(", {:.0} % of the bodies' own displacement", 100.0 * part),
         });
+        // Waves of straight facets touch, not the round faces for which these stand: no stiffness mends that.
+        let remedy = match are_faceted(pair) {
+            true => "smooth their round faces (set_surface_smoothing), or use second-order cells with curved edges",
+            false => "refine both surfaces there, or give a larger stiffness",
+        };
         format!(
-            "{} and {} touch within single facets, where no multiplier acts: they penetrate by {:.1e} on average{part}; refine both surfaces \
-             there, or give a larger stiffness",
+            "{} and {} touch within single facets, where no multiplier acts: they penetrate by {:.1e} on average{part}; {remedy}",
             assembly.name(pair.a),
             assembly.name(pair.b),
             mean(pair),
