@@ -20,6 +20,8 @@ pub(super) struct Smoothed<'a, const D: usize> {
     /// Whether the faces of a body are curved themselves.
     is_curved: Vec<bool>,
     around: FacetsAround,
+    /// Of every facet, the face of which it is a part.
+    faces: Vec<[u32; 2]>,
     /// Cosine of the feature angle.
     smooth: f64,
 }
@@ -41,6 +43,7 @@ impl<'a, const D: usize> Smoothed<'a, D> {
             is_surface: (0..surface.facets.len()).map(is_surface).collect(),
             is_curved: surface.are_curved(is_surface),
             around: FacetsAround::new(surface),
+            faces: (0..surface.facets.len()).map(|facet| surface.on_face(facet, true).face).collect(),
             smooth: feature_angle.cos(),
         }
     }
@@ -95,11 +98,12 @@ impl<'a, const D: usize> Smoothed<'a, D> {
         ends.taken_from(sum).try_normalize(0.0)
     }
 
-    /// The facets at a vertex that a facet goes on in, from one to the next over edges at less than the feature angle: from the first to the last
-    /// they may turn by more, as around a vertex of a coarse ball.
+    /// The facets at a vertex in which the face of a facet goes on, from one to the next over edges at less than the feature angle: from the first
+    /// to the last they may turn by more, as around a vertex of a coarse ball.
     fn face_at(&self, facet: usize, vertex: u32, around: &[usize]) -> SmallVec<[usize; 16]> {
         let corners = |of: usize| self.surface.facets[of].iter().filter(move |&&corner| corner != vertex);
-        let mut face = SmallVec::from_slice(&[facet]);
+        let mut face: SmallVec<[usize; 16]> = SmallVec::new();
+        face.extend(around.iter().copied().filter(|&other| self.faces[other] == self.faces[facet]));
         let mut next = 0;
         while let Some(&one) = face.get(next) {
             for &other in around.iter().filter(|&&other| self.is_surface[other]) {
