@@ -13,6 +13,10 @@ TRIPLE = $(shell rustc -vV | sed -n 's/^host: //p')
 TESTS = --lib --bins --tests --examples
 AS_SUITES = $(shell echo CARGO_TARGET_$(TRIPLE)_RUNNER | tr 'a-z-' 'A-Z_')=$(SUITE_OF)
 
+# Half the time to build, and tests that take little longer: whatever `make test` starts builds alike.
+test: export CARGO_PROFILE_RELEASE_OPT_LEVEL = 2
+test: export CARGO_PROFILE_RELEASE_LTO = off
+
 test: tools
 	@mkdir -p $(TARGET) && rm -f $(SUITES)
 	$(CARGO) fmt --all --check

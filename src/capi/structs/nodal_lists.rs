@@ -34,7 +34,7 @@ pub struct fmc_nodal_contact {
     pub gap: *mut f64,
     /// Area (2D: length) on which it acts: int N dA over the part of the facets at the node that is in contact, N being the node's
     /// shape function. Never more than the node's part of the surface. Larger where `pressure` would be more than twice
-    /// `local_pressure`: a node whose facets do not touch, but which the other side presses, has all of its part of the surface.
+    /// `local_pressure` and more than the mean pressure of the pair, as at nodes that only the other side presses.
     pub area: *mut f64,
     /// Unit vector outwards of the node's body.
     pub normal: *mut f64,

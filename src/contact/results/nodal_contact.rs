@@ -40,7 +40,7 @@ pub struct NodalContact<const D: usize> {
     pub gap: Vec<f64>,
     /// Area (2D: length) on which the pressure acts: ∫ N dA over the part of the facets in contact, N being the node's shape
     /// function. Never larger than ∫ N dA over all of the node's facets, but for the error of counting by lines; not so small that the
-    /// pressure would be larger than that of the law anywhere, or than twice that on the node's facets: where these do not touch, the force acts on all of them.
+    /// pressure would be larger than that of the law anywhere, or than both twice that on the node's facets and the mean of the pair.
     pub area: Vec<f64>,
     /// Unit normal, outwards of the node's body, against the nodal force.
     pub normal: Vec<[f64; D]>,
@@ -67,7 +67,8 @@ struct NodeTotals<const D: usize> {
     area: f64,
     pressure: f64,
     penetration: f64,
-    /// The largest pressure of the pairs that press the node.
+    /// The largest mean pressure of the pairs that press the node, and the largest pressure.
+    typical: f64,
     largest: f64,
     touches: bool,
     /// Whether some areas were not measured exactly, but counted by lines or found from the pressure of a pair.
@@ -121,6 +122,7 @@ impl<const D: usize> NodalContact<D> {
                 sum.force -= gradient;
                 let size = gradient.norm();
                 if size > 0.0 {
+                    sum.typical = sum.typical.max(energy.pressure);
                     sum.largest = sum.largest.max(largest);
                     sum.is_counted |= sums.as_ref().is_none_or(|sums| !sums.is_exact);
                 }
@@ -168,6 +170,7 @@ impl<const D: usize> NodeTotals<D> {
             pressure: 0.0,
             penetration: 0.0,
             share,
+            typical: 0.0,
             largest: 0.0,
             touches: false,
             is_counted: false,
@@ -200,20 +203,19 @@ impl<const D: usize> NodeTotals<D> {
         self.touches |= area > 0.0;
     }
 
-    /// The area on which the force acts. Other sides press nodes whose own facets hardly touch: then it is more than that, so that the pressure is
-    /// no more than a few times that on its facets, up to all of them.
+    /// The area on which the force acts. Other sides press nodes whose own facets hardly touch: then it is larger, so that the pressure is that of
+    /// the law there, or the mean of the pair.
     fn pressed_area(&self) -> f64 {
         let force = self.force.norm();
-        let least = quotient(force, self.largest);
-        if force == 0.0 {
-            return self.area.clamp(0.0, self.share.max(0.0));
+        let there = match (SPIKE * self.mean(self.pressure)).max(self.typical) {
+            pressure if pressure > 0.0 => pressure.min(self.largest),
+            _ => self.largest,
+        };
+        match force > 0.0 {
+            true if self.share <= 0.0 || self.is_counted => self.area.max(quotient(force, self.largest)),
+            true => self.area.max(quotient(force, there)).min(self.share),
+            false => self.area.clamp(0.0, self.share.max(0.0)),
         }
-        if self.share <= 0.0 || self.is_counted {
-            return self.area.max(least);
-        }
-        let on_facets = SPIKE * self.mean(self.pressure);
-        let without_spike = if on_facets > 0.0 { force / on_facets } else { f64::INFINITY };
-        self.area.max(least).max(without_spike).min(self.share)
     }
 
     /// A mean over what touches, never negative.

@@ -20,7 +20,7 @@ class NodalContact:
     The nodal force without its friction is ``-(pressure * area)[:, None] * normal``, to rounding. With cells of second order
     that is the force at the point of their division that represents the node (see ``PointWeights``). Nodes at the edge of the contact may
     have a tiny area, so a mean pressure is weighted with the area: ``numpy.average(pressure, weights=area)``. The pressure is no more
-    than twice ``local_pressure``; nodes that only the other side presses have the small one of their force on all of their surface.
+    than twice ``local_pressure``, or than the mean of the pair where that is larger, as at nodes that only the other side presses.
 
     Attributes
     ----------
