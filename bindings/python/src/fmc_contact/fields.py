@@ -51,7 +51,7 @@ class NodalContact:
     --------
     >>> nodal = contact.nodal_contact(coords)
     >>> print(nodal.pressure.max().round(1))
-    100.0
+    90.9
     """
 
     pressure: np.ndarray
