@@ -33,7 +33,7 @@ test: tools
 	$(SUITE_OF) "site" $(MAKE) site-check
 	@.ci/suites
 
-# Most of it, like most of `hosts`, has one thread: side by side they take little more than the longer of the two.
+# Most of it, like each suite of `hosts`, has one thread: side by side they take half the time.
 fuzz:
 	$(SUITE_OF) "fuzz, 60 s" fuzz/run.sh 60
 

@@ -25,7 +25,7 @@ host-environment:
 	  || $(SYSTEM_PYTHON) -m venv --clear --system-site-packages $(HOSTS)
 	@$(MAKE) -s install PREFIX=$(HOSTS) BUILT=$(TARGET)/release/deps
 	$(MAKE) -C hosts/petsc PREFIX=$(HOSTS) OUT=$(HOSTS)/bin
-	$(HOSTS)/bin/python -m pip install -q pytest pytest-xdist
+	$(HOSTS)/bin/python -m pip install -q pytest
 	$(HOSTS)/bin/python -m pip install -q --no-deps \
 	  scikit-fem ./bindings/python ./benchmarks/agreement ./hosts/skfem ./hosts/dolfinx ./hosts/getfem
 
@@ -37,12 +37,29 @@ RUN_HOSTS = FMC=$(abspath $(TARGET))/release/fmc FMC_PETSC=$(HOSTS)/bin/equilibr
 GETFEM_FOLDERS = hosts/getfem benchmarks/agreement/drivers/getfem benchmarks/peers
 RUN_GETFEM = $(RUN_HOSTS) PYTHONPATH=$(subst $(SPACE),:,$(addprefix $(CURDIR)/,$(GETFEM_FOLDERS)))
 
-hosts: host-environment
-	$(RUN_HOSTS) $(SUITE_OF) "scikit-fem" $(HOSTS)/bin/python -m pytest -q $(ON_ALL_CORES) hosts/skfem benchmarks/skfem
-	$(RUN_HOSTS) $(SUITE_OF) "FEniCSx" $(HOSTS)/bin/python -m pytest -q $(ON_ALL_CORES) hosts/dolfinx
+# Each has one thread: with -j2 they run side by side.
+HOST_SUITES = skfem dolfinx petsc getfem known-answers agreement
+
+.PHONY: $(HOST_SUITES:%=hosts-%)
+hosts: $(HOST_SUITES:%=hosts-%)
+
+hosts-skfem: host-environment
+	$(RUN_HOSTS) $(SUITE_OF) "scikit-fem" $(HOSTS)/bin/python -m pytest -q hosts/skfem benchmarks/skfem
+
+hosts-dolfinx: host-environment
+	$(RUN_HOSTS) $(SUITE_OF) "FEniCSx" $(HOSTS)/bin/python -m pytest -q hosts/dolfinx
+
+hosts-petsc: host-environment
 	$(RUN_HOSTS) $(SUITE_OF) "PETSc" $(HOSTS)/bin/python -m pytest -q hosts/petsc
+
+hosts-getfem: host-environment
 	$(RUN_GETFEM) $(SUITE_OF) "GetFEM" $(HOSTS)/bin/python -m pytest -q hosts/getfem
-	$(RUN_HOSTS) $(SUITE_OF) "problems with known answers" $(HOSTS)/bin/python -m pytest -q -p no:cacheprovider $(ON_ALL_CORES) suite
+
+# One after the other: FEniCSx compiles forms into one folder, and gives up where another process takes long for the same.
+hosts-known-answers: hosts-dolfinx
+	$(RUN_HOSTS) $(SUITE_OF) "problems with known answers" $(HOSTS)/bin/python -m pytest -q -p no:cacheprovider suite
+
+hosts-agreement: hosts-known-answers
 	$(RUN_HOSTS) $(SUITE_OF) "agreement of the hosts" $(HOSTS)/bin/python -m pytest -q benchmarks/agreement
 
 # One stiffness of contact, k h / E, after the other; a million unknowns take some 6 GB, and on one core up to half an hour each.
