@@ -9,9 +9,6 @@
 PYTHON ?= python3
 VENV = $(TARGET)/python
 
-# A test at a time on every core.
-ON_ALL_CORES = -n auto --dist worksteal
-
 # Debian has the module that makes environments in a package of its own.
 ENVIRONMENT = $(PYTHON) -c 'import ensurepip' 2>/dev/null \
 	  || { $(SUDO) apt-get update -q && $(SUDO) apt-get install -q -y --no-install-recommends python3 python3-venv; }; \
@@ -20,7 +17,7 @@ ENVIRONMENT = $(PYTHON) -c 'import ensurepip' 2>/dev/null \
 python:
 	@$(call ENVIRONMENT,$(VENV))
 	$(VENV)/bin/python -m pip install -q ./bindings/python pytest pytest-xdist scipy
-	$(SUITE_OF) "Python package" $(VENV)/bin/python -m pytest -q $(ON_ALL_CORES) bindings/python
+	$(SUITE_OF) "Python package" $(VENV)/bin/python -m pytest -q -n auto --dist worksteal bindings/python
 
 support:
 	@$(call ENVIRONMENT,$(VENV))

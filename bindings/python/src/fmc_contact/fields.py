@@ -19,8 +19,9 @@ class NodalContact:
 
     The nodal force without its friction is ``-(pressure * area)[:, None] * normal``, to rounding. With cells of second order
     that is the force at the point of their division that represents the node (see ``PointWeights``). Nodes at the edge of the contact may
-    have a tiny area, so a mean pressure is weighted with the area: ``numpy.average(pressure, weights=area)``. The pressure is no more
-    than twice ``local_pressure``, or than the mean of the pair where that is larger, as at nodes that only the other side presses.
+    have a tiny area, so a mean pressure is weighted with the area: ``numpy.average(pressure, weights=area)``. With the
+    law ``"depth"`` the pressure is no more than twice ``local_pressure``, or than the mean of the pair where that is larger, unless the force is
+    more than that on all of the node's part of the surface.
 
     Attributes
     ----------

@@ -90,8 +90,7 @@ impl<'a, const D: usize> Smoothed<'a, D> {
         others.iter().filter(|&&other| !self.is_surface[other]).for_each(|&other| ends.add(&self.normals[other]));
         let face = self.face_at(facet, vertex, &others);
         face.iter().for_each(|&other| sum += self.normals[other] * self.weight(other, vertex));
-        let count = face.len();
-        if ends.is_empty() && count < 2 {
+        if ends.is_empty() && face.len() < 2 {
             return None;
         }
         // A body that goes on behind a plane of symmetry has the mirrored facet there, in a corner of planes behind each of them.

@@ -102,16 +102,18 @@ impl<const D: usize> PointSums<D> {
         self.0.into_iter().filter_map(move |sums| {
             let (depth, area) = (sums.pressed.total(), sums.middle.total());
             let is_pressed = area > 0.0 && depth > 0.0;
-            let middle = || sums.middle.mean(sums.cell).or(sums.inside, sums.beyond);
-            is_pressed.then(|| DepthPoint {
-                of_b,
-                facet: number,
-                pressed: sums.pressed.mean(sums.cell).or(middle(), sums.beyond),
-                middle: middle(),
-                gradients: sums.gradients.map(|sum| sum / area),
-                depth: no_deeper(depth / area, sums.deepest),
-                area: weight * measure * area,
-                slope: sums.slope * (weight * measure),
+            is_pressed.then(|| {
+                let middle = sums.middle.mean(sums.cell).or(sums.inside, sums.beyond);
+                DepthPoint {
+                    of_b,
+                    facet: number,
+                    pressed: sums.pressed.mean(sums.cell).or(middle, sums.beyond),
+                    middle,
+                    gradients: sums.gradients.map(|sum| sum / area),
+                    depth: no_deeper(depth / area, sums.deepest),
+                    area: weight * measure * area,
+                    slope: sums.slope * (weight * measure),
+                }
             })
         })
     }
