@@ -16,7 +16,7 @@ VERSION := $(shell sed -n 's/^version = "\(.*\)"/\1/p' Cargo.toml | head -1)
 SOVERSION := $(basename $(VERSION))
 SUDO = $(if $(filter-out 0,$(shell id -u)),sudo)
 
-.PHONY: check demo examples notebooks test suites fuzz fuzz-long release sanitizers mutants check-tools tools python python-lint hosts host-environment agree press peer-environment peers peers-test suite compat large getfem dealii-program dealii calculix bench figures figures-check pictures site site-check paper book support header build install install-command install-python deb try-deb try-install wheel try-wheel sdist try-sdist crate recipes packages clean help
+.PHONY: check demo examples notebooks test suites fuzz fuzz-long release sanitizers mutants check-tools tools python python-lint hosts host-environment site-suite agree press peer-environment peers peers-test suite compat large getfem dealii-program dealii calculix bench figures figures-check pictures site site-check paper book support header build install install-command install-python deb try-deb try-install wheel try-wheel sdist try-sdist crate recipes packages clean help
 
 # The command with `force` alone: no solver and no pictures are compiled.
 demo:

@@ -28,14 +28,18 @@ test: tools
 	$(SUITE_OF) "build of the tests" $(CARGO) test --workspace --release $(TESTS) --no-run
 	$(AS_SUITES) $(CARGO) test --workspace --release $(TESTS)
 	$(SUITE_OF) "examples in the docs" $(CARGO) test --workspace --release --doc
-	$(MAKE) -j2 -O hosts fuzz BUILD_FMC=
+	$(MAKE) -j2 -O hosts fuzz site-suite BUILD_FMC=
 	$(MAKE) python
-	$(SUITE_OF) "site" $(MAKE) site-check
 	@.ci/suites
 
-# Most of it, like each suite of `hosts`, has one thread: side by side they take half the time.
+# Most of these, like each suite of `hosts`, has one thread: side by side they take half the time.
+fuzz: export CARGO_PROFILE_RELEASE_OPT_LEVEL = 1
 fuzz:
 	$(SUITE_OF) "fuzz, 60 s" fuzz/run.sh 60
+
+# With the library of the tests.
+site-suite:
+	$(SUITE_OF) "site" $(MAKE) site-check FMC_CONTACT_LIBRARY=$(abspath $(TARGET))/release/deps/libfmc_contact.so
 
 # Programs that the tests call, with the Debian package that has each.
 CHECK_TOOLS = cc:gcc c++:g++ nm:binutils gfortran:gfortran valgrind:valgrind pkg-config:pkg-config cmake:cmake

@@ -13,8 +13,7 @@ HOSTS = $(abspath $(TARGET))/hosts
 PAGE_PACKAGES = python3-jinja2 python3-matplotlib
 HOST_PACKAGES = python3-dolfinx python3-getfem python3-venv libpetsc-real-dev openmpi-bin libopenmpi-dev pkg-config gcc $(PAGE_PACKAGES)
 
-# fmc comes first: the build of the Python package strips the library, after which cargo would build everything again.
-# After the tests of the workspace it is there, and BUILD_FMC is empty.
+# After the tests of the workspace both are there, and BUILD_FMC is empty.
 BUILD_FMC = $(CARGO) build --release -p fmc-contact -p fmc
 
 host-environment:
@@ -23,11 +22,11 @@ host-environment:
 	  || { $(SUDO) apt-get update -q && $(SUDO) apt-get install -q -y --no-install-recommends $(HOST_PACKAGES); }
 	@$(HOSTS)/bin/python -m pip --version >/dev/null 2>&1 \
 	  || $(SYSTEM_PYTHON) -m venv --clear --system-site-packages $(HOSTS)
-	@$(MAKE) -s install PREFIX=$(HOSTS) BUILT=$(TARGET)/release/deps
+	@$(MAKE) -s install install-python PREFIX=$(HOSTS) PYTHON=$(HOSTS)/bin/python BUILT=$(TARGET)/release/deps
 	$(MAKE) -C hosts/petsc PREFIX=$(HOSTS) OUT=$(HOSTS)/bin
 	$(HOSTS)/bin/python -m pip install -q pytest
 	$(HOSTS)/bin/python -m pip install -q --no-deps \
-	  scikit-fem ./bindings/python ./benchmarks/agreement ./hosts/skfem ./hosts/dolfinx ./hosts/getfem
+	  scikit-fem ./benchmarks/agreement ./hosts/skfem ./hosts/dolfinx ./hosts/getfem
 
 RUN_HOSTS = FMC=$(abspath $(TARGET))/release/fmc FMC_PETSC=$(HOSTS)/bin/equilibrium FMC_PRESS=$(HOSTS)/bin/press \
   FMC_DRIVERS=$(CURDIR)/benchmarks/agreement/drivers \

@@ -9,21 +9,19 @@
 //! The floors of the code, each of which imports only from those to its right:
 //!
 //! ```text
-//! capi  ->  partition  ->  contact  ->  interfaces  ->  overlap, sparse  ->  configuration, depth_field, sampling  ->  ranks  ->  geometry  ->  dimension, error
+//! capi  ->  partition  ->  contact  ->  interfaces  ->  overlap, sparse  ->  configuration, depth_field, sampling  ->  ranks  ->  geometry  ->  error
 //! ```
 //!
 //! `capi` (the C interface) · `partition` (meshes that ranks hold in parts) · [`contact`] (energy law, forces) · `interfaces` (surfaces that are tied, or held until they break) · [`overlap`]
 //! (volume and contact points, sampled or exact) · [`sparse`] (matrices of hosts, factorised) · `configuration` (the bodies at
 //! given coordinates) · `depth_field` (how deep their cells lie below their surfaces) · [`sampling`] (where the fibers lie) · `ranks`
-//! (work that is shared) · [`geometry`] (surfaces, crossings, obstacles) · `dimension` (2D and 3D behind one interface) ·
-//! [`Error`]. `ARCHITECTURE.md` has the drawing, the path of a coordinate and a glossary.
+//! (work that is shared) · [`geometry`] (surfaces, crossings, obstacles) · [`Error`]. `ARCHITECTURE.md` has the drawing, the path of a coordinate and a glossary.
 //!
 //! Same input, same bits, for any number of threads: there is no clock, no global state and no arrival order anywhere.
 
 mod configuration;
 pub mod contact;
 mod depth_field;
-mod dimension;
 mod error;
 pub mod geometry;
 mod interfaces;

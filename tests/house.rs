@@ -8,7 +8,6 @@ use std::path::{Path, PathBuf};
 /// stands for all that lies below it and has no line of its own.
 const ROOMS: &[&str] = &[
     "error",
-    "dimension",
     "geometry",
     "ranks",
     "sparse",

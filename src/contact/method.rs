@@ -3,5 +3,5 @@
 mod chosen;
 mod options;
 
-pub(super) use chosen::{Method, pair_law};
+pub(super) use chosen::Method;
 pub use options::Options;

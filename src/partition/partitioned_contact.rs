@@ -78,6 +78,7 @@ impl<const D: usize> PartitionedContact<D> {
     /// # Errors
     /// As [`Surface::from_cells`](crate::Surface::from_cells), [`Contact::new`] and [`Self::set_coords`]; [`Error::Length`],
     /// [`Error::BadRank`], [`Error::NotPositive`] for a reach that is negative.
+    #[inline(never)]
     pub fn new(
         communicator: Box<dyn Communicator>,
         part: &MeshPart<D>,
@@ -123,6 +124,7 @@ impl<const D: usize> PartitionedContact<D> {
     /// [`Error::Length`], [`Error::NonFiniteCoordinate`], [`Error::InvertedCell`], [`Error::ZeroMeasure`],
     /// [`Error::FoldedCell`], naming own nodes and cells; on other ranks [`Error::OnOtherRank`]. [`Error::RanksDiffer`] for a
     /// node that has not the same coordinates on all, [`Error::SignedDistance`], [`Error::Communication`].
+    #[inline(never)]
     pub fn set_coords(&mut self, coords: &[[f64; D]]) -> Result<bool, Error> {
         let in_common = hash_in_common(&self.contact, &[], "set_coords");
         let checked = self.check(coords);
@@ -218,6 +220,7 @@ impl<const D: usize> PartitionedContact<D> {
     /// # Errors
     /// [`Error::NodeOutOfRange`]; [`Error::Unsupported`] on all ranks for a body of the whole mesh that would have no surface left, or for
     /// nodes of a curved surface. What was named before then stays.
+    #[inline(never)]
     pub fn set_symmetry_nodes(&mut self, nodes: &[u32]) -> Result<(), Error> {
         let node_count = self.own.node_count();
         let mut marked = vec![false; node_count];
@@ -238,6 +241,7 @@ impl<const D: usize> PartitionedContact<D> {
     /// # Errors
     /// [`Error::NotPositive`] for a normal without length; [`Error::Unsupported`] on all ranks for a body of the whole mesh that would
     /// have no surface left. What was said before then stays.
+    #[inline(never)]
     pub fn set_symmetry_planes(&mut self, planes: &[[[f64; D]; 2]]) -> Result<(), Error> {
         let planes = planes.iter().map(|[point, normal]| SymmetryPlane::new(point, normal)).collect::<Result<_, _>>();
         let planes: Vec<SymmetryPlane<D>> = self.ranks()?.agree(planes, 6)?;

@@ -32,6 +32,7 @@ impl<const D: usize> PartitionedContact<D> {
     ///
     /// # Errors
     /// [`Error::NoStep`].
+    #[inline(never)]
     pub fn slip(&self) -> Result<Vec<CarriedSlip<D>>, Error> {
         let named = |FacetSlip { facet, partner, is_second, slip, slid }: FacetSlip<D>| {
             let FacetName { cell, face, part } = self.zone.facets[facet];
@@ -48,6 +49,7 @@ impl<const D: usize> PartitionedContact<D> {
     /// # Errors
     /// [`Error::NoStep`], [`Error::NoSuchRow`], [`Error::NonFiniteSlip`], naming the index in the list, [`Error::Unsupported`] for a facet
     /// that was not gathered, which cannot have been in contact when the step began. The old slip then stays.
+    #[inline(never)]
     pub fn set_slip(&mut self, carried: &[CarriedSlip<D>]) -> Result<(), Error> {
         let numbers = self.zone.facet_numbers();
         let named = |(index, of): (usize, &CarriedSlip<D>)| {

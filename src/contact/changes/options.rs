@@ -21,7 +21,7 @@ pub(crate) fn set<const D: usize>(contact: &mut Contact<D>, options: Options) ->
     Method::check(&options, &mesh.surface)?;
     partners.table.check(&options)?;
     history.multipliers.check(&options.law, options.self_contact)?;
-    let (new, old) = (method.with(options)?, *method.options());
+    let (new, old) = (method.with(options), *method.options());
     if options.law != old.law {
         partners.take_law(&options.law)?;
     }

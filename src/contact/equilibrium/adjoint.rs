@@ -44,6 +44,7 @@ impl<const D: usize> Contact<D> {
     /// [`Error::Length`], [`Error::UnknownOutOfRange`], [`Error::NonFiniteCoordinate`], [`Error::NonFiniteStiffness`]; as [`Self::vjp`].
     /// [`Error::Unsupported`] with multipliers, by which surfaces follow what changes, with friction, of which a tangent is no derivative, and
     /// by the slip between steps.
+    #[inline(never)]
     pub fn adjoint(
         &self,
         unknowns: &Unknowns<D>,

@@ -54,6 +54,7 @@ impl<const D: usize> Contact<D> {
     /// [`Error::NotPositive`] for a reach or a penetration that is negative or no number; [`Error::Unsupported`] with
     /// self-contact, a law whose pressure is not a stiffness times the penetration, and a mesh in parts; else as [`Self::evaluate`]. The
     /// multipliers have then stayed.
+    #[inline(never)]
     pub fn augment(&mut self, coords: &[[f64; D]], reach: f64, enough: f64) -> Result<Augmentation, Error> {
         Error::check_not_negative("penetration", enough)?;
         self.augment_unless(coords, reach, &Supports::default(), |found, _| {
@@ -97,6 +98,7 @@ impl<const D: usize> Contact<D> {
     ///
     /// # Errors
     /// As [`Self::augment`].
+    #[inline(never)]
     pub fn nodal_penetration(&self, coords: &[[f64; D]], reach: f64) -> Result<f64, Error> {
         Ok(self.left_of_penetration(coords, reach, &Supports::default())?.0.penetration)
     }
@@ -179,6 +181,7 @@ impl<const D: usize> Contact<D> {
     /// As [`Self::augment`]; [`Error::NodeOutOfRange`], naming the place in the list as its cell; [`Error::BodyOutOfRange`],
     /// [`Error::ObstacleOutOfRange`], [`Error::ObstacleRemoved`]; [`Error::NotPositive`] for a shift or a direction that is none. What
     /// was moved out then stays.
+    #[inline(never)]
     pub fn set_multipliers(&mut self, multipliers: &[Multiplier<D>]) -> Result<(), Error> {
         if !multipliers.is_empty() {
             self.check_multipliers()?;
@@ -208,6 +211,7 @@ impl<const D: usize> Contact<D> {
     ///
     /// # Errors
     /// [`Error::NotPositive`] for a factor that is not, or a stiffness that would not be; nothing has then changed.
+    #[inline(never)]
     pub fn stiffen(&mut self, factor: f64) -> Result<(), Error> {
         if !(factor.is_finite() && factor > 0.0) {
             return Err(Error::NotPositive { name: "factor", value: factor });

@@ -49,6 +49,7 @@ impl<const D: usize> Contact<D> {
     /// [`Error::NonFiniteStiffness`], [`Error::NotPositive`] for what is given; [`Error::IndefiniteStiffness`] and
     /// [`Error::SingularStiffness`] where the bodies together with the contact hold nothing; [`Error::Unsupported`] for a penetration asked for with
     /// friction, self-contact, or a law without a stiffness by penetration; those of `place`.
+    #[inline(never)]
     pub fn contact_step(
         &self,
         coords: &[[f64; D]],

@@ -73,6 +73,7 @@ impl<const D: usize> Equilibrium<D> {
     ///
     /// # Errors
     /// [`Error::Length`], [`Error::UnknownOutOfRange`], [`Error::NonFiniteCoordinate`], [`Error::NotPositive`].
+    #[inline(never)]
     pub fn new(
         contact: &Contact<D>,
         unknowns: Unknowns<D>,
@@ -108,6 +109,7 @@ impl<const D: usize> Equilibrium<D> {
     /// # Errors
     /// [`Error::Length`] for an answer of another length than there are unknowns, [`Error::Unsupported`] for one of another kind than was
     /// asked for; the question then stays.
+    #[inline(never)]
     pub fn next(&mut self, contact: &mut Contact<D>, answer: Option<Answer>) -> Result<Next<'_, D>, Error> {
         let goes_on = match (&self.asked, &answer) {
             _ if self.ended.is_some() => false,
@@ -131,6 +133,7 @@ impl<const D: usize> Equilibrium<D> {
 
     /// Gives the search up, as where the host can answer no more: the contact's friction and multipliers are what they were before, and the
     /// search has ended with a refusal. Does nothing where it has ended.
+    #[inline(never)]
     pub fn abandon(&mut self, contact: &mut Contact<D>) {
         if self.ended.is_none() {
             self.end(contact, Err(Refusal::abandoned()));

@@ -18,6 +18,7 @@ impl<const D: usize> Contact<D> {
     /// # Errors
     /// [`Error::Length`] for another number of bodies, [`Error::NotPositive`], [`Error::BodyOutOfRange`],
     /// [`Error::ObstacleOutOfRange`], [`Error::ObstacleRemoved`]. What was set before then stays.
+    #[inline(never)]
     pub fn set_layer_stiffness(&mut self, stiffness: Option<LayerStiffness>) -> Result<(), Error> {
         changes::options::set_layer_stiffness(self, stiffness)
     }

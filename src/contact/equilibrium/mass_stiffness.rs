@@ -13,6 +13,7 @@ impl<const D: usize> Contact<D> {
     /// # Errors
     /// [`Error::Length`], [`Error::NotPositive`] for the limit, [`Error::NotPositiveMass`], [`Error::Unsupported`] where the host holds every
     /// surface, or where the options give a stiffness, which would count. What was found before then stays.
+    #[inline(never)]
     pub fn stiffness_from_masses(&mut self, coords: &[[f64; D]], masses: &[f64], limit: f64) -> Result<(), Error> {
         if self.options().law.stiffness() > 0.0 {
             return Err(Error::Unsupported {

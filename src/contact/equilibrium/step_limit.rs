@@ -10,6 +10,7 @@ impl<const D: usize> Contact<D> {
     ///
     /// # Errors
     /// [`Error::Length`] for a step of another length than the coordinates; else as [`Self::gap_constraints`].
+    #[inline(never)]
     pub fn step_limit(&self, coords: &[[f64; D]], step: &[[f64; D]]) -> Result<StepLimit, Error> {
         step_limit(self, coords, step)
     }

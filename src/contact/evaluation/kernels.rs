@@ -1,4 +1,4 @@
-//! The evaluations, each compiled here for the plane and for space: see [`crate::dimension`].
+//! The evaluations.
 
 use super::flux::flux_in;
 use super::friction_heat::friction_heat_in;
@@ -22,10 +22,8 @@ use crate::contact::results::{
 };
 use crate::contact::tangents::{Tangent, TangentPart};
 use crate::contact::wear::WornOff;
-use crate::dimension::{recast, rows};
 use crate::overlap::normal_lines::estimate as normal_lines;
 use crate::overlap::{self, Block, FiberTrace, Overlap, Partner, Patches, Reach, Warning};
-use std::any::Any;
 
 /// Facets with friction by pair.
 pub(crate) type SlipFacetsByPair<const D: usize> = Vec<SlipFacets<D>>;
@@ -61,105 +59,56 @@ fn on_points<const D: usize, T: OntoNodes>(
     Ok(found.map_err(|error| division.in_host_numbers(error))?.onto_nodes(division))
 }
 
-/// Hands `$public` over to `$work`, at D = 2 or 3.
+/// What `$work` finds at the points, as the host's nodes have it.
 macro_rules! kernel {
-    ($(#[$doc:meta])* $public:ident = $work:ident ( $($name:ident : $kind:ty),* ) -> $result:ident) => {
-        kernel! { $(#[$doc])* $public = $work($($name: $kind),*) -> $result, Shifted }
-    };
-    ($(#[$doc:meta])* $public:ident = $work:ident ( $($name:ident : $kind:ty),* ) -> $result:ident, $at:ident) => {
+    ($(#[$doc:meta])* $public:ident = $work:ident ( $($name:ident : $kind:ty),* ) -> $result:ty, at $at:ident) => {
         $(#[$doc])*
         pub(crate) fn $public<const D: usize>(
             contact: &Contact<D>,
             coords: &[[f64; D]],
             $($name: $kind,)*
-        ) -> Result<$result!(D), Error> {
-            fn in_plane(contact: &Contact<2>, coords: &[[f64; 2]], $($name: $kind,)*) -> Result<$result!(2), Error> {
-                on_points(contact, coords, Surfaces::$at, |points| $work(contact, points, $($name,)*))
-            }
-            fn in_space(contact: &Contact<3>, coords: &[[f64; 3]], $($name: $kind,)*) -> Result<$result!(3), Error> {
-                on_points(contact, coords, Surfaces::$at, |points| $work(contact, points, $($name,)*))
-            }
-            let any: &dyn Any = contact;
-            if let Some(contact) = any.downcast_ref() {
-                return recast(in_plane(contact, rows(coords), $($name,)*)?);
-            }
-            match any.downcast_ref() {
-                Some(contact) => recast(in_space(contact, rows(coords), $($name,)*)?),
-                None => recast(()),
-            }
+        ) -> Result<$result, Error> {
+            on_points(contact, coords, Surfaces::$at, |points| $work(contact, points, $($name,)*))
         }
     };
 }
 
-macro_rules! forces { ($d:expr) => { ContactForces<$d> }; }
-macro_rules! tangents { ($d:expr) => { Tangent<$d> }; }
-macro_rules! both { ($d:expr) => { (ContactForces<$d>, Tangent<$d>) }; }
-macro_rules! numbers {
-    ($d:expr) => {
-        f64
-    };
-}
-macro_rules! gradient_lists { ($d:expr) => { Gradients<$d> }; }
-macro_rules! rates { ($d:expr) => { Slopes<$d> }; }
-macro_rules! overlap_list { ($d:expr) => { Vec<Overlap<$d>> }; }
-macro_rules! traces { ($d:expr) => { Vec<FiberTrace<$d>> }; }
-macro_rules! nodal { ($d:expr) => { NodalContact<$d> }; }
-macro_rules! point_list { ($d:expr) => { Vec<PointOfContact<$d>> }; }
-macro_rules! constraint_rows { ($d:expr) => { GapConstraints<$d> }; }
-macro_rules! heat {
-    ($d:expr) => {
-        FrictionHeat
-    };
-}
-macro_rules! conduction {
-    ($d:expr) => {
-        Vec<Block<1>>
-    };
-}
-macro_rules! worn_list {
-    ($d:expr) => {
-        Vec<WornOff>
-    };
-}
-macro_rules! slip_list { ($d:expr) => { SlipFacetsByPair<$d> }; }
-macro_rules! patch_list { ($d:expr) => { PatchesByPair<$d> }; }
-
 kernel! { /// Forces.
-evaluate = evaluate_in() -> forces }
+evaluate = evaluate_in() -> ContactForces<D>, at Shifted }
 kernel! { /// Forces without multipliers.
-evaluate_true = evaluate_in() -> forces, True }
+evaluate_true = evaluate_in() -> ContactForces<D>, at True }
 kernel! { /// Forces of interfaces alone.
-evaluate_apart = evaluate_apart_in() -> forces }
+evaluate_apart = evaluate_apart_in() -> ContactForces<D>, at Shifted }
 kernel! { /// Second derivative of the energy.
-tangent = tangent_in(part: TangentPart) -> tangents }
+tangent = tangent_in(part: TangentPart) -> Tangent<D>, at Shifted }
 kernel! { /// Forces and second derivative of the energy.
-evaluate_tangent = evaluate_tangent_in(part: TangentPart) -> both }
+evaluate_tangent = evaluate_tangent_in(part: TangentPart) -> (ContactForces<D>, Tangent<D>), at Shifted }
 kernel! { /// Derivatives of energy and forces.
-gradients = gradients_in(energy: f64, adjoint: &[f64], slip: &SlipSeeds, request: &GradientRequest) -> gradient_lists }
+gradients = gradients_in(energy: f64, adjoint: &[f64], slip: &SlipSeeds, request: &GradientRequest) -> Gradients<D>, at Shifted }
 kernel! { /// Rates of energy and forces.
-slopes = slopes_in(along: &Along) -> rates }
+slopes = slopes_in(along: &Along) -> Slopes<D>, at Shifted }
 kernel! { /// Time step.
-stable_step = stable_step_in(masses: &[f64]) -> numbers }
+stable_step = stable_step_in(masses: &[f64]) -> f64, at Shifted }
 kernel! { /// Overlaps of all pairs.
-overlaps = overlaps_in() -> overlap_list }
+overlaps = overlaps_in() -> Vec<Overlap<D>>, at Shifted }
 kernel! { /// Lines that cross an overlap.
-trace = trace_in() -> traces }
+trace = trace_in() -> Vec<FiberTrace<D>>, at Shifted }
 kernel! { /// The contact at the nodes.
-nodal_contact = nodal_contact_in() -> nodal }
+nodal_contact = nodal_contact_in() -> NodalContact<D>, at Shifted }
 kernel! { /// The contact points.
-contact_points = contact_points_in() -> point_list }
+contact_points = contact_points_in() -> Vec<PointOfContact<D>>, at Shifted }
 kernel! { /// Gaps of the nodes within reach.
-gap_constraints = gap_constraints_in(reach: f64) -> constraint_rows, True }
+gap_constraints = gap_constraints_in(reach: f64) -> GapConstraints<D>, at True }
 kernel! { /// Conduction by points.
-flux = flux_in(request: &FluxRequest) -> conduction }
+flux = flux_in(request: &FluxRequest) -> Vec<Block<1>>, at Shifted }
 kernel! { /// Heat of friction.
-friction_heat = friction_heat_in(effusivities: Option<&[f64]>) -> heat }
+friction_heat = friction_heat_in(effusivities: Option<&[f64]>) -> FrictionHeat, at Shifted }
 kernel! { /// What sliding wears off.
-worn_off = worn_off_in() -> worn_list }
+worn_off = worn_off_in() -> Vec<WornOff>, at Shifted }
 kernel! { /// Facets on which friction acts.
-slip_facets = slip_facets_in() -> slip_list }
+slip_facets = slip_facets_in() -> SlipFacetsByPair<D>, at Shifted }
 kernel! { /// Patches of all pairs, for all facets.
-patches = patches_in() -> patch_list }
+patches = patches_in() -> PatchesByPair<D>, at Shifted }
 
 fn evaluate_in<const D: usize>(contact: &Contact<D>, coords: &Points<D>) -> Result<ContactForces<D>, Error> {
     evaluate_with(contact, coords, false)

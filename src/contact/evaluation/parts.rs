@@ -49,7 +49,7 @@ pub(crate) fn assemble<const D: usize>(surface: Surface<D>, options: Options) ->
         mesh: Mesh::new(surface),
         partners: Partners::new(),
         work: Work::new(options.threads)?,
-        method: Method::new(options)?,
+        method: Method::new(options),
         history: History::new(),
         ties: Ties::default(),
         glides: Glides::default(),

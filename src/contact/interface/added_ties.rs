@@ -24,6 +24,7 @@ impl<const D: usize> Contact<D> {
     /// [`Error::NonFiniteStiffness`] for a period that is not finite; [`Error::Unsupported`] for a surface with facets of several bodies,
     /// for two with a facet in common, for two bodies in contact whose faces lie on one another, by the law `volume`, without cells, in
     /// parts, and for a period along the radius. Nothing changes then.
+    #[inline(never)]
     pub fn add_tie(&mut self, surfaces: [usize; 2], period: [f64; D], reach: f64) -> Result<usize, Error> {
         added_ties::add(self, surfaces, period, reach)
     }
@@ -42,6 +43,7 @@ impl<const D: usize> Contact<D> {
     ///
     /// # Errors
     /// [`Error::NoSuchNumber`], [`Error::NonFiniteStiffness`]; [`Error::Unsupported`] for a jump along the radius.
+    #[inline(never)]
     pub fn set_tie_jump(&mut self, tie: usize, jump: [f64; D]) -> Result<(), Error> {
         added_ties::check_vector(self, "jump", &jump)?;
         self.ties.set_jump(tie, Vector::from(jump))?;
@@ -64,6 +66,7 @@ impl<const D: usize> Contact<D> {
     ///
     /// # Errors
     /// [`Error::NoSuchNumber`], [`Error::Untied`], [`Error::Length`], [`Error::NonFiniteCoordinate`], [`Error::NoStiffness`].
+    #[inline(never)]
     pub fn tie_force(&self, tie: usize, coords: &[[f64; D]]) -> Result<[f64; D], Error> {
         let (tie, multipliers, sign) = self.ties.of_number(tie)?;
         self.check_stiffness()?;

@@ -12,6 +12,7 @@ impl<const D: usize> Contact<D> {
     /// # Errors
     /// [`Error::BodyOutOfRange`], [`Error::Length`], [`Error::NonFiniteCoordinate`]; [`Error::Untied`] where it was found on another mesh
     /// without deformation, and is not on this one.
+    #[inline(never)]
     pub fn cohesive(&self, bodies: [usize; 2], coords: &[[f64; D]]) -> Result<Option<CohesiveSummary>, Error> {
         let pair = self.partners.checked_pair(bodies.map(Partner::Body), self.mesh.surface.body_count())?;
         let points = self.mesh.points(coords)?;
@@ -73,6 +74,7 @@ impl<const D: usize> Contact<D> {
     ///
     /// # Errors
     /// As [`Self::cohesive`].
+    #[inline(never)]
     pub fn cohesive_points(&self, coords: &[[f64; D]]) -> Result<Vec<CohesivePoint<D>>, Error> {
         let points = self.mesh.points(coords)?;
         self.mesh.surface.check_coords(&points, false)?;
@@ -100,6 +102,7 @@ impl<const D: usize> Contact<D> {
     ///
     /// # Errors
     /// [`Error::Untied`] as [`Self::cohesive`].
+    #[inline(never)]
     pub fn damage(&self) -> Result<Vec<PointDamage>, Error> {
         Ok(self.cohesions.list(&self.history.damage)?.iter().map(|state| state.damage).collect())
     }
@@ -109,6 +112,7 @@ impl<const D: usize> Contact<D> {
     /// # Errors
     /// [`Error::Length`]; [`Error::NotPositive`] for a damage outside 0 to 1 or a negative energy; [`Error::Untied`]. Nothing has then
     /// changed.
+    #[inline(never)]
     pub fn set_damage(&mut self, damage: &[PointDamage]) -> Result<(), Error> {
         self.history.damage = self.cohesions.of_list(&self.history.damage, ("damage", damage), |state, one| {
             state.damage = *one;
@@ -125,6 +129,7 @@ impl<const D: usize> Contact<D> {
     ///
     /// # Errors
     /// As [`Self::damage`].
+    #[inline(never)]
     pub fn cohesive_history(&self) -> Result<Vec<PointHistory>, Error> {
         Ok(self.cohesions.list(&self.history.damage)?.iter().map(|state| state.history).collect())
     }
@@ -134,6 +139,7 @@ impl<const D: usize> Contact<D> {
     /// # Errors
     /// [`Error::Length`]; [`Error::NotPositive`] for what is not finite, and for a negative energy of the viscosity; [`Error::Untied`]. Nothing
     /// has then changed.
+    #[inline(never)]
     pub fn set_cohesive_history(&mut self, history: &[PointHistory]) -> Result<(), Error> {
         self.history.damage = self.cohesions.of_list(&self.history.damage, ("history", history), |state, one| {
             state.history = *one;

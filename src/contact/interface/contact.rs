@@ -3,13 +3,12 @@
 use crate::Error;
 use crate::contact::changes;
 use crate::contact::evaluation::{Contact, assemble, kernels};
-use crate::contact::friction::FacetSlip;
 use crate::contact::method::Options;
 use crate::contact::partners::PairOptions;
 use crate::contact::results::{ContactForces, GapConstraints, NodalContact, PointOfContact};
 use crate::contact::tangents::{Tangent, TangentPart};
 use crate::geometry::boundary::symmetry::SymmetryPlane;
-use crate::geometry::{Basis, BoundaryFacet, Obstacle, PointWeights, Pose, Surface};
+use crate::geometry::{Basis, BoundaryFacet, PointWeights, Surface};
 use crate::overlap::{FiberTrace, Overlap, Partner};
 use crate::ranks::{Asked, Communicator, RankCounts};
 
@@ -19,6 +18,7 @@ impl<const D: usize> Contact<D> {
     /// # Errors
     /// [`Error::NotPositive`] for an option out of its range; [`Error::Threads`]; [`Error::Unsupported`] for options
     /// that exclude one another, and for the law `depth` between bodies that are given by facets.
+    #[inline(never)]
     pub fn new(surface: Surface<D>, options: Options) -> Result<Self, Error> {
         assemble(surface, options)
     }
@@ -46,6 +46,7 @@ impl<const D: usize> Contact<D> {
     /// # Errors
     /// [`Error::Unsupported`] for a surface without cells, [`Error::Length`], [`Error::NonFiniteCoordinate`],
     /// [`Error::InvertedCell`], [`Error::ZeroMeasure`]; the old ones then stay.
+    #[inline(never)]
     pub fn set_reference(&mut self, coords: &[[f64; D]]) -> Result<(), Error> {
         changes::options::set_reference(self, coords)
     }
@@ -58,6 +59,7 @@ impl<const D: usize> Contact<D> {
     /// # Errors
     /// [`Error::Length`] for arrays of other lengths than the rows say, [`Error::UnknownOutOfRange`], [`Error::Overflow`] for a
     /// weight that is not finite, [`Error::Unsupported`] for rows that do not begin at 0 or descend; nothing changes then.
+    #[inline(never)]
     pub fn set_basis(&mut self, basis: Option<&Basis>) -> Result<(), Error> {
         self.mesh.set_basis(basis)
     }
@@ -70,6 +72,7 @@ impl<const D: usize> Contact<D> {
     /// # Errors
     /// [`Error::NotPositive`] for a normal without length; [`Error::Unsupported`] for a body that would have no surface left. What was
     /// said before then stays.
+    #[inline(never)]
     pub fn set_symmetry_planes(&mut self, planes: &[[[f64; D]; 2]]) -> Result<(), Error> {
         let planes = planes.iter().map(|[point, normal]| SymmetryPlane::new(point, normal));
         self.mesh.set_symmetry_planes(&planes.collect::<Result<Vec<_>, _>>()?)
@@ -82,6 +85,7 @@ impl<const D: usize> Contact<D> {
     /// # Errors
     /// [`Error::NodeOutOfRange`], naming the index in `nodes` as its cell; [`Error::Unsupported`] for a body that would
     /// have no surface left, or for nodes of a curved surface. What was named before then stays.
+    #[inline(never)]
     pub fn set_symmetry_nodes(&mut self, nodes: &[u32]) -> Result<(), Error> {
         self.mesh.set_symmetry_nodes(nodes)
     }
@@ -98,6 +102,7 @@ impl<const D: usize> Contact<D> {
     /// # Errors
     /// As [`Self::new`]; [`Error::OfPair`] where the estimator does not support the law of a pair. The old options then
     /// stay in force.
+    #[inline(never)]
     pub fn set_options(&mut self, options: Options) -> Result<(), Error> {
         changes::options::set(self, options)
     }
@@ -106,6 +111,7 @@ impl<const D: usize> Contact<D> {
     ///
     /// # Errors
     /// [`Error::BodyOutOfRange`], [`Error::ObstacleOutOfRange`], [`Error::ObstacleRemoved`]; [`Error::Unsupported`] for two obstacles.
+    #[inline(never)]
     pub fn pair_options(&self, partners: [Partner; 2]) -> Result<Option<PairOptions>, Error> {
         let pair = self.partners.checked_pair(partners, self.mesh.surface.body_count())?;
         let options = self.partners.table.options(&pair);
@@ -128,62 +134,9 @@ impl<const D: usize> Contact<D> {
     /// [`Error::BodyOutOfRange`], [`Error::ObstacleOutOfRange`], [`Error::ObstacleRemoved`]; [`Error::Unsupported`] for two obstacles, which do not
     /// act on one another; [`Error::OfPair`] for a value out of its range, a law that the estimator does not
     /// support, or a gap offset between bodies that is positive or has another law than `depth`. The old options then stay.
+    #[inline(never)]
     pub fn set_pair_options(&mut self, partners: [Partner; 2], options: Option<PairOptions>) -> Result<(), Error> {
         changes::options::set_pair(self, partners, options, (None, None))
-    }
-
-    /// Adds a rigid partner and returns its index: 0, 1, …, also after others were removed.
-    ///
-    /// # Errors
-    /// [`Error::NotPositive`], [`Error::BadPose`]; for a polytope those of [`crate::Surface::from_facets`].
-    pub fn add_obstacle(&mut self, obstacle: Obstacle<D>) -> Result<usize, Error> {
-        self.partners.obstacles.add(obstacle)
-    }
-
-    /// Moves an obstacle. The whole pose is set, its rotation and scale too.
-    ///
-    /// # Errors
-    /// [`Error::ObstacleOutOfRange`], [`Error::ObstacleRemoved`], [`Error::BadPose`].
-    pub fn set_pose(&mut self, obstacle: usize, pose: Pose<D>) -> Result<(), Error> {
-        changes::options::set_pose(self, obstacle, pose)
-    }
-
-    /// Shape and pose of an obstacle.
-    ///
-    /// # Errors
-    /// [`Error::ObstacleOutOfRange`], [`Error::ObstacleRemoved`].
-    pub fn obstacle(&self, obstacle: usize) -> Result<&Obstacle<D>, Error> {
-        Ok(&self.partners.obstacles.rigid(obstacle)?.obstacle)
-    }
-
-    /// Number of obstacles, with those that were removed: the next one gets this index.
-    pub fn obstacle_count(&self) -> usize {
-        self.partners.obstacles.count()
-    }
-
-    /// Removes an obstacle and the options of its pairs. The others keep their indices; its own is never given again, and
-    /// stands in results with a resultant of zero.
-    ///
-    /// # Errors
-    /// [`Error::ObstacleOutOfRange`], [`Error::ObstacleRemoved`].
-    pub fn remove_obstacle(&mut self, obstacle: usize) -> Result<(), Error> {
-        changes::options::remove_obstacle(self, obstacle)
-    }
-
-    /// Whether tangents have the rotations of the obstacles, too; they have not at first. Number `node_count +
-    /// obstacle_count + o` is then the rotation of obstacle o, a rotation vector about the position of its pose, which moves
-    /// along; in 2D its first entry is the angle, and the second has none but zeros. Not with axisymmetry, where nothing turns;
-    /// for an obstacle that a body meets by the law `fiber`, the tangent is then refused.
-    ///
-    /// It is the second derivative of the energy, and symmetric, with what the tangent of friction has. The derivative of the moment about the position,
-    /// M, as the obstacle turns by dθ is −(∂²w/∂θ²) dθ + ½ dθ × M.
-    pub fn set_obstacle_rotations(&mut self, on: bool) {
-        self.method.obstacle_rotations = on;
-    }
-
-    /// Whether they have.
-    pub fn obstacle_rotations(&self) -> bool {
-        self.method.obstacle_rotations
     }
 
     /// Contact forces at `coords`, `[node_count, D]`.
@@ -192,6 +145,7 @@ impl<const D: usize> Contact<D> {
     /// [`Error::Length`], [`Error::NonFiniteCoordinate`], [`Error::InvertedCell`], [`Error::ZeroMeasure`],
     /// [`Error::TooManyFibers`], [`Error::TooManyPieces`], [`Error::Unsupported`], [`Error::SignedDistance`],
     /// [`Error::UnfinishedLines`], [`Error::Overflow`]; with friction [`Error::NoStep`].
+    #[inline(never)]
     pub fn evaluate(&self, coords: &[[f64; D]]) -> Result<ContactForces<D>, Error> {
         kernels::evaluate(self, coords)
     }
@@ -201,6 +155,7 @@ impl<const D: usize> Contact<D> {
     ///
     /// # Errors
     /// As [`Self::evaluate`].
+    #[inline(never)]
     pub fn evaluate_true(&self, coords: &[[f64; D]]) -> Result<ContactForces<D>, Error> {
         kernels::evaluate_true(self, coords)
     }
@@ -215,6 +170,7 @@ impl<const D: usize> Contact<D> {
     /// # Errors
     /// As [`Self::evaluate`]; [`Error::Unsupported`] for isotropic fibers, and for the exact volume law with a body
     /// against itself.
+    #[inline(never)]
     pub fn tangent(&self, coords: &[[f64; D]], part: TangentPart) -> Result<Tangent<D>, Error> {
         kernels::tangent(self, coords, part)
     }
@@ -224,6 +180,7 @@ impl<const D: usize> Contact<D> {
     ///
     /// # Errors
     /// As [`Self::tangent`].
+    #[inline(never)]
     pub fn evaluate_tangent(
         &self,
         coords: &[[f64; D]],
@@ -245,6 +202,7 @@ impl<const D: usize> Contact<D> {
     /// # Errors
     /// As [`Self::tangent`]; [`Error::Length`] for masses of another number than the nodes,
     /// [`Error::NotPositiveMass`] for a node that feels contact.
+    #[inline(never)]
     pub fn stable_step(&self, coords: &[[f64; D]], masses: &[f64]) -> Result<f64, Error> {
         kernels::stable_step(self, coords, masses)
     }
@@ -254,6 +212,7 @@ impl<const D: usize> Contact<D> {
     ///
     /// # Errors
     /// As [`Self::evaluate`].
+    #[inline(never)]
     pub fn overlaps(&self, coords: &[[f64; D]]) -> Result<Vec<Overlap<D>>, Error> {
         kernels::overlaps(self, coords)
     }
@@ -262,6 +221,7 @@ impl<const D: usize> Contact<D> {
     ///
     /// # Errors
     /// As [`Self::evaluate`].
+    #[inline(never)]
     pub fn nodal_contact(&self, coords: &[[f64; D]]) -> Result<NodalContact<D>, Error> {
         kernels::nodal_contact(self, coords)
     }
@@ -272,6 +232,7 @@ impl<const D: usize> Contact<D> {
     ///
     /// # Errors
     /// As [`Self::evaluate`].
+    #[inline(never)]
     pub fn contact_points(&self, coords: &[[f64; D]]) -> Result<Vec<PointOfContact<D>>, Error> {
         kernels::contact_points(self, coords)
     }
@@ -285,6 +246,7 @@ impl<const D: usize> Contact<D> {
     ///
     /// # Errors
     /// [`Error::NotPositive`] for a reach that is not; else as [`Self::evaluate`].
+    #[inline(never)]
     pub fn gap_constraints(&self, coords: &[[f64; D]], reach: f64) -> Result<GapConstraints<D>, Error> {
         kernels::gap_constraints(self, coords, reach)
     }
@@ -294,78 +256,9 @@ impl<const D: usize> Contact<D> {
     ///
     /// # Errors
     /// As [`Self::evaluate`].
+    #[inline(never)]
     pub fn trace(&self, coords: &[[f64; D]]) -> Result<Vec<FiberTrace<D>>, Error> {
         kernels::trace(self, coords)
-    }
-
-    /// Begins a step with friction at `coords`, with obstacles where they are: slip is counted from here. The elastic slip
-    /// that was carried so far stays, none at first; [`Self::commit_step`] begins the next step by itself. To try a step
-    /// again nothing has to be undone.
-    ///
-    /// # Errors
-    /// [`Error::Length`], [`Error::NonFiniteCoordinate`]; with friction, of which what bears is measured here, as
-    /// [`Self::evaluate`]. Nothing has then changed.
-    pub fn begin_step(&mut self, coords: &[[f64; D]]) -> Result<(), Error> {
-        changes::friction_steps::begin(self, coords)
-    }
-
-    /// Accepts the step that ends at `coords`: the elastic slip there is carried into the next step, which begins here.
-    /// Frozen friction is released. On an error nothing has changed.
-    ///
-    /// # Errors
-    /// [`Error::NoStep`]; else as [`Self::evaluate`].
-    pub fn commit_step(&mut self, coords: &[[f64; D]]) -> Result<(), Error> {
-        changes::friction_steps::commit(self, coords)
-    }
-
-    /// The elastic slip that was carried into the step: of every facet against each of the bodies and obstacles that it faced, where there
-    /// was any. With the coordinates and poses at which the step began it is all that a restart needs.
-    ///
-    /// # Errors
-    /// [`Error::NoStep`].
-    pub fn slip(&self) -> Result<Vec<FacetSlip<D>>, Error> {
-        changes::friction_steps::slip(self)
-    }
-
-    /// Sets the elastic slip that was carried into the step that has begun, after [`Self::begin_step`] at the coordinates
-    /// of that time.
-    ///
-    /// # Errors
-    /// [`Error::NoStep`], [`Error::NoSuchRow`], [`Error::NonFiniteSlip`]; the old one then stays.
-    pub fn set_slip(&mut self, slip: &[FacetSlip<D>]) -> Result<(), Error> {
-        changes::friction_steps::set_slip(self, slip)
-    }
-
-    /// Freezes the facets on which friction acts and their pressure as they are at `coords`, until the step ends or
-    /// [`Self::release_friction`]: the forces of friction are then minus the gradient of a convex potential, and their
-    /// tangent is symmetric and positive semidefinite. Repeated at what was found until nothing changes, this leads to the
-    /// solution with the current pressure.
-    ///
-    /// # Errors
-    /// [`Error::NoStep`]; else as [`Self::evaluate`]. What was frozen before then stays.
-    pub fn freeze_friction(&mut self, coords: &[[f64; D]]) -> Result<(), Error> {
-        changes::friction_steps::freeze(self, coords)
-    }
-
-    /// Takes the pressure of the coordinates at hand again.
-    pub fn release_friction(&mut self) {
-        self.history.release_friction();
-    }
-
-    /// Finds the patches of the fiber law at `coords` and keeps them, that is the directions and the spacing of their
-    /// lines, for all later evaluations, until this is called again or [`Self::release_patches`]. With kept patches the
-    /// forces are the gradient of one energy, as a Newton solver needs. Patches of pairs that do not overlap at
-    /// `coords` are not kept, but found at every evaluation. Returns the number of directions kept; 0 for other laws.
-    ///
-    /// # Errors
-    /// As [`Self::evaluate`]; patches kept before are then still kept.
-    pub fn keep_patches(&mut self, coords: &[[f64; D]]) -> Result<usize, Error> {
-        changes::patches::keep(self, coords)
-    }
-
-    /// Releases kept patches.
-    pub fn release_patches(&mut self) {
-        self.history.release_patches();
     }
 
     /// Shares the work of evaluations with other ranks, `None`: no more. From then on every rank makes the same calls with the
@@ -376,6 +269,7 @@ impl<const D: usize> Contact<D> {
     ///
     /// # Errors
     /// [`Error::BadRank`]; what was set before then stays.
+    #[inline(never)]
     pub fn set_communicator(&mut self, communicator: Option<Box<dyn Communicator>>) -> Result<(), Error> {
         self.mesh.surface.refuse_submesh("another communicator for a mesh that is given in parts")?;
         self.work.set_communicator(communicator)

@@ -16,6 +16,7 @@ impl<const D: usize> Contact<D> {
     /// # Errors
     /// [`Error::Length`], [`Error::BadEntry`], [`Error::Unsupported`] for a mesh in parts, [`Error::Untied`]; else as [`Self::evaluate`], but for
     /// friction.
+    #[inline(never)]
     pub fn flux(&self, coords: &[[f64; D]], request: &FluxRequest) -> Result<ContactFlux, Error> {
         let (nodes, obstacles) = (self.mesh.surface.unknown_count(), self.partners.obstacles.count());
         let fields = request.check(nodes, obstacles)?;
@@ -31,6 +32,7 @@ impl<const D: usize> Contact<D> {
     ///
     /// # Errors
     /// [`Error::Length`], [`Error::BadEntry`], [`Error::NoStep`], [`Error::Unsupported`] for a mesh in parts; else as [`Self::evaluate`].
+    #[inline(never)]
     pub fn friction_heat(&self, coords: &[[f64; D]], effusivities: Option<&[f64]>) -> Result<FrictionHeat, Error> {
         self.mesh.surface.refuse_submesh("the heat of friction of a mesh in parts")?;
         if let Some(given) = effusivities {

@@ -15,6 +15,7 @@ impl<const D: usize> Contact<D> {
     /// # Errors
     /// Those of [`Self::set_pair_options`]; [`Error::Unsupported`] beside a coefficient of friction or a wear coefficient of the pair, another
     /// interface than contact, and for a mesh in parts. What was set before then stays.
+    #[inline(never)]
     pub fn set_friction_law_pair(
         &mut self,
         partners: [Partner; 2],
@@ -30,6 +31,7 @@ impl<const D: usize> Contact<D> {
     ///
     /// # Errors
     /// [`Error::NoStep`].
+    #[inline(never)]
     pub fn friction_history(&self) -> Result<Vec<f64>, Error> {
         changes::friction_steps::friction_history(self)
     }
@@ -38,6 +40,7 @@ impl<const D: usize> Contact<D> {
     ///
     /// # Errors
     /// [`Error::NoStep`], [`Error::Length`], [`Error::BadEntry`] for what is not finite. Nothing has then changed.
+    #[inline(never)]
     pub fn set_friction_history(&mut self, history: &[f64]) -> Result<(), Error> {
         changes::friction_steps::set_friction_history(self, history)
     }

@@ -15,6 +15,7 @@ impl<const D: usize> Contact<D> {
     ///
     /// # Errors
     /// Those of [`Self::set_pair_options`]; [`Error::Unsupported`] for another interface. What was set before then stays.
+    #[inline(never)]
     pub fn set_law_pair(
         &mut self,
         partners: [Partner; 2],
@@ -32,6 +33,7 @@ impl<const D: usize> Contact<D> {
     ///
     /// # Errors
     /// [`Error::Length`], [`Error::BadEntry`] for what is not finite; the old ones then stay.
+    #[inline(never)]
     pub fn set_law_fields(&mut self, count: usize, values: &[f64]) -> Result<(), Error> {
         let rows = self.mesh.surface.unknown_count();
         let expected = rows.saturating_mul(count);
@@ -58,6 +60,7 @@ impl<const D: usize> Contact<D> {
     /// # Errors
     /// [`Error::Length`], [`Error::NonFiniteCoordinate`]; [`Error::Untied`] where one was found on another mesh without deformation, and is not
     /// on this one; [`Error::InterfaceLaw`].
+    #[inline(never)]
     pub fn law_points(&self, coords: &[[f64; D]]) -> Result<Vec<LawPoint<D>>, Error> {
         let points = self.mesh.points(coords)?;
         self.mesh.surface.check_coords(&points, false)?;
@@ -84,6 +87,7 @@ impl<const D: usize> Contact<D> {
     ///
     /// # Errors
     /// [`Error::Untied`] as [`Self::law_points`].
+    #[inline(never)]
     pub fn law_history(&self) -> Result<Vec<f64>, Error> {
         self.governed.list(&self.history.of_laws)
     }
@@ -92,6 +96,7 @@ impl<const D: usize> Contact<D> {
     ///
     /// # Errors
     /// [`Error::Length`], [`Error::BadEntry`] for what is not finite, [`Error::Untied`]. Nothing has then changed.
+    #[inline(never)]
     pub fn set_law_history(&mut self, history: &[f64]) -> Result<(), Error> {
         self.history.of_laws = self.governed.of_list(history)?;
         self.state.forget_found();

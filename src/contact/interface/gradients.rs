@@ -23,6 +23,7 @@ impl<const D: usize> Contact<D> {
     /// frozen. By slip: with static friction, or frozen. By gap offsets: of pairs other than bodies with half-spaces. By the
     /// coefficient of friction: where it is 0, and with static friction, cohesion or a shear limit, or another coefficient across a
     /// direction. By rotations: with the law `fiber`, and with axisymmetry.
+    #[inline(never)]
     pub fn vjp(
         &self,
         coords: &[[f64; D]],
@@ -40,6 +41,7 @@ impl<const D: usize> Contact<D> {
     /// # Errors
     /// As [`Self::vjp`]; [`Error::NoStep`], [`Error::NoSuchRow`] and [`Error::NonFiniteSlip`] for `slip`. [`Error::Unsupported`] for its
     /// derivative by coordinates, poses and gap offsets.
+    #[inline(never)]
     pub fn vjp_of_step(
         &self,
         coords: &[[f64; D]],
@@ -68,6 +70,7 @@ impl<const D: usize> Contact<D> {
     /// # Errors
     /// As [`Self::vjp`] with an adjoint, for what moves; [`Error::Length`] and [`Error::NonFiniteStiffness`] for rates;
     /// [`Error::NoSuchRow`] for pairs, and as [`Self::vjp_of_step`] for the slip.
+    #[inline(never)]
     pub fn jvp(&self, coords: &[[f64; D]], along: &Directions<D>) -> Result<Slopes<D>, Error> {
         let slip = self.by_slider(along.slip)?;
         let surface = &self.mesh.surface;

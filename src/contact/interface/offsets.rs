@@ -16,12 +16,14 @@ impl<const D: usize> Contact<D> {
     /// # Errors
     /// [`Error::NotPositive`] for a length that is negative or no number; [`Error::Unsupported`] for a mesh in parts; [`Error::OfPair`] for bodies that
     /// are held together already across a gap, which they keep: adjust first; else as [`Self::gap_constraints`]. Surfaces then lie where they did.
+    #[inline(never)]
     pub fn adjust(&mut self, coords: &[[f64; D]], close: f64, remove: f64) -> Result<Adjustment, Error> {
         adjustment::adjust(self, coords, close, remove)
     }
 
     /// How far the surface lies beside its nodes, a vector for every node; with cells of second order for every point
     /// ([`Self::point_weights`]).
+    #[inline(never)]
     pub fn offsets(&self) -> Vec<[f64; D]> {
         self.mesh.offsets().list(self.mesh.surface.point_weights().point_count())
     }
@@ -30,6 +32,7 @@ impl<const D: usize> Contact<D> {
     ///
     /// # Errors
     /// [`Error::Length`], [`Error::NonFiniteStiffness`] for a vector that is not finite, [`Error::Unsupported`] for a mesh in parts.
+    #[inline(never)]
     pub fn set_offsets(&mut self, offsets: &[[f64; D]]) -> Result<(), Error> {
         adjustment::set(self, offsets)
     }
@@ -42,6 +45,7 @@ impl<const D: usize> Contact<D> {
     /// # Errors
     /// [`Error::NotPositive`] for an angle that is negative, no number, or 90 and more; [`Error::Unsupported`] for a surface without cells and
     /// for a mesh in parts. What was set before then stays.
+    #[inline(never)]
     pub fn set_surface_smoothing(&mut self, feature_angle: f64) -> Result<(), Error> {
         self.mesh.set_surface_smoothing(feature_angle)
     }

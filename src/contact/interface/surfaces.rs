@@ -10,6 +10,7 @@ impl<const D: usize> Contact<D> {
     /// # Errors
     /// [`Error::NoSuchNumber`], naming the entry of a facet that does not exist; [`Error::Unsupported`] without facets, and for a mesh in
     /// parts. Nothing changes then.
+    #[inline(never)]
     pub fn add_surface(&mut self, facets: &[usize]) -> Result<usize, Error> {
         self.mesh.add_surface(facets)
     }

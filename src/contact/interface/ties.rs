@@ -14,6 +14,7 @@ impl<const D: usize> Contact<D> {
     ///
     /// # Errors
     /// [`Error::BodyOutOfRange`]; [`Error::Untied`] where they were tied on another mesh without deformation, and are not on this one.
+    #[inline(never)]
     pub fn tie(&self, bodies: [usize; 2]) -> Result<Option<TieSummary>, Error> {
         let pair = self.partners.checked_pair(bodies.map(Partner::Body), self.mesh.surface.body_count())?;
         let [Partner::Body(a), Partner::Body(b)] = pair else { return Ok(None) };
@@ -29,6 +30,7 @@ impl<const D: usize> Contact<D> {
     ///
     /// # Errors
     /// [`Error::Length`], [`Error::NonFiniteCoordinate`], [`Error::NoStiffness`], [`Error::Untied`].
+    #[inline(never)]
     pub fn tie_nodes(&self, coords: &[[f64; D]]) -> Result<Vec<TieNode<D>>, Error> {
         self.check_stiffness()?;
         let points = self.mesh.points(coords)?;
@@ -86,6 +88,7 @@ impl<const D: usize> Contact<D> {
     /// # Errors
     /// [`Error::Unsupported`] where a tie has a jump, where a gap is kept, along which a row depends on how facets turn, and with bodies that do not separate;
     /// [`Error::Untied`].
+    #[inline(never)]
     pub fn tie_constraints(&self) -> Result<TieConstraints, Error> {
         if !self.glides.is_empty() {
             return Err(Error::Unsupported { what: "equations of bodies that do not separate, whose normals turn" });

@@ -19,6 +19,7 @@ impl<const D: usize> Contact<D> {
     ///
     /// # Errors
     /// [`Error::NoStep`] where worn facets were set and no step has begun; [`Error::Unsupported`] for a mesh in parts.
+    #[inline(never)]
     pub fn wear(&self) -> Result<Wear, Error> {
         self.mesh.surface.refuse_submesh("wear of a mesh in parts")?;
         self.history.check_worn()?;
@@ -43,6 +44,7 @@ impl<const D: usize> Contact<D> {
     ///
     /// # Errors
     /// [`Error::NoSuchRow`], [`Error::BadEntry`], [`Error::Unsupported`] for a mesh in parts; what was worn before then stays.
+    #[inline(never)]
     pub fn set_worn_facets(&mut self, worn: &[WornFacet]) -> Result<(), Error> {
         friction_steps::set_worn(self, worn)
     }

@@ -2,8 +2,7 @@
 
 use super::options::Options;
 use crate::Error;
-use crate::contact::laws::{self, EnergyLaw, PairLaw};
-use crate::dimension::recast;
+use crate::contact::laws::{PairLaw, pair_law};
 use crate::geometry::{Surface, Weighting};
 use crate::overlap::PairEstimator;
 
@@ -19,14 +18,14 @@ pub(crate) struct Method<const D: usize> {
 
 impl<const D: usize> Method<D> {
     /// By options that have been checked.
-    pub(crate) fn new(options: Options) -> Result<Self, Error> {
-        let (law, estimator) = (pair_law(&options.law)?, estimator(&options)?);
-        Ok(Self { options, law, estimator, obstacle_rotations: false })
+    pub(crate) fn new(options: Options) -> Self {
+        let (law, estimator) = (pair_law(&options.law), PairEstimator::new(&options.estimator));
+        Self { options, law, estimator, obstacle_rotations: false }
     }
 
     /// The same with other options.
-    pub(crate) fn with(&self, options: Options) -> Result<Self, Error> {
-        Ok(Self { obstacle_rotations: self.obstacle_rotations, ..Self::new(options)? })
+    pub(crate) fn with(&self, options: Options) -> Self {
+        Self { obstacle_rotations: self.obstacle_rotations, ..Self::new(options) }
     }
 
     /// Checks options for the bodies of a surface.
@@ -65,26 +64,4 @@ fn check_depth<const D: usize>(surface: &Surface<D>, options: &Options) -> Resul
         return Err(Error::Unsupported { what });
     }
     Ok(())
-}
-
-/// The estimator that the options name.
-fn estimator<const D: usize>(options: &Options) -> Result<PairEstimator<D>, Error> {
-    fn in_plane(options: &Options) -> PairEstimator<2> {
-        PairEstimator::new(&options.estimator)
-    }
-    fn in_space(options: &Options) -> PairEstimator<3> {
-        PairEstimator::new(&options.estimator)
-    }
-    if D == 2 { recast(in_plane(options)) } else { recast(in_space(options)) }
-}
-
-/// The law as pairs follow it.
-pub(crate) fn pair_law<const D: usize>(law: &EnergyLaw) -> Result<Box<dyn PairLaw<D>>, Error> {
-    fn in_plane(law: &EnergyLaw) -> Box<dyn PairLaw<2>> {
-        laws::pair_law(law)
-    }
-    fn in_space(law: &EnergyLaw) -> Box<dyn PairLaw<3>> {
-        laws::pair_law(law)
-    }
-    if D == 2 { recast(in_plane(law)) } else { recast(in_space(law)) }
 }

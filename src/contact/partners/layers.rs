@@ -1,8 +1,7 @@
 //! Stiffness of pairs for which none is given: that of the layers of cells below both surfaces.
 
 use crate::Error;
-use crate::contact::laws::{EnergyLaw, PairLaw};
-use crate::contact::method::pair_law;
+use crate::contact::laws::{EnergyLaw, PairLaw, pair_law};
 use crate::overlap::Partner;
 use std::collections::BTreeMap;
 
@@ -69,14 +68,13 @@ impl<const D: usize> LayerLaws<D> {
     pub(crate) fn new(stiffness: LayerStiffness, body_count: usize, law: &EnergyLaw) -> Result<Self, Error> {
         stiffness.check(body_count)?;
         let with = |k: f64| pair_law(&law.with_stiffness(k));
-        let by_body = stiffness.bodies.iter().map(|layer| with(BY_LAYER * layer)).collect::<Result<_, _>>()?;
+        let by_body = stiffness.bodies.iter().map(|layer| with(BY_LAYER * layer)).collect();
         let sorted = |(body, partner): &(usize, Partner)| {
             let mut pair = [Partner::Body(*body), *partner];
             pair.sort_unstable();
             pair
         };
-        let by_pair = stiffness.near.keys().map(sorted).map(|pair| Ok((pair, with(stiffness.of_pair(pair))?)));
-        let by_pair = by_pair.collect::<Result<_, Error>>()?;
+        let by_pair = stiffness.near.keys().map(sorted).map(|pair| (pair, with(stiffness.of_pair(pair)))).collect();
         Ok(Self { stiffness, by_body, by_pair })
     }
 

@@ -5,8 +5,8 @@ use super::parallel::Parallel;
 use super::rigid::Rigid;
 use crate::Error;
 use crate::contact::friction::{Friction, Orthotropy};
-use crate::contact::laws::{EnergyLaw, PairLaw};
-use crate::contact::method::{Options, pair_law};
+use crate::contact::laws::{EnergyLaw, PairLaw, pair_law};
+use crate::contact::method::Options;
 use crate::overlap::Partner;
 use std::collections::BTreeMap;
 
@@ -36,7 +36,7 @@ impl<const D: usize> PairTable<D> {
         match options {
             Some(options) => {
                 check::<D>(&pair, &options, defaults)?;
-                let law = options.law.as_ref().map(pair_law).transpose()?;
+                let law = options.law.as_ref().map(pair_law);
                 self.0.insert(pair, Entry { options, law, parallel });
             }
             None => drop(self.0.remove(&pair)),
@@ -106,7 +106,7 @@ impl<const D: usize> PairTable<D> {
         for entry in self.0.values_mut() {
             if let Some(law) = &mut entry.options.law {
                 *law = law.stiffened(factor);
-                entry.law = Some(pair_law(law)?);
+                entry.law = Some(pair_law(law));
             }
         }
         Ok(())

@@ -22,6 +22,7 @@ pub struct BoundaryFacet {
 
 impl<const D: usize> Surface<D> {
     /// All boundary facets, in the order in which everything is told of them: body after body, by cell and face.
+    #[inline(never)]
     pub fn boundary_facets(&self) -> Vec<BoundaryFacet> {
         let bodies =
             self.ranges.iter().enumerate().flat_map(|(body, range)| range.clone().map(move |facet| (body, facet)));

@@ -39,6 +39,7 @@ impl PointWeights {
 
 impl<const D: usize> Surface<D> {
     /// The points of which hosts are told, as combinations of nodes.
+    #[inline(never)]
     pub fn point_weights(&self) -> PointWeights {
         let mut all = PointWeights { starts: vec![0], ..PointWeights::default() };
         let mut add = |row: &mut dyn Iterator<Item = (u32, f64)>| {

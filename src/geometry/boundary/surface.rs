@@ -2,7 +2,6 @@
 
 use super::submesh::Submesh;
 use crate::Error;
-use crate::dimension::{recast, rows};
 use crate::geometry::mesh::cells::Cells;
 use crate::geometry::mesh::collapsed::{Collapsed, FacesAsGiven};
 use crate::geometry::mesh::components::Components;
@@ -68,14 +67,9 @@ impl<const D: usize> Surface<D> {
     /// cells; a node that hangs up to 1 % beside the middle), [`Error::Unsupported`] (nodes that hang beside cells of second
     /// order), [`Error::InvertedCell`], [`Error::InvertedCells`] (several, or quadrilaterals whose edges cross),
     /// [`Error::ZeroMeasure`].
+    #[inline(never)]
     pub fn from_cells(coords: &[[f64; D]], blocks: &[CellBlock], bodies: Bodies) -> Result<Self, Error> {
-        match D {
-            2 => recast(from_cells_in_plane(rows(coords), blocks, bodies)?),
-            _ => recast(from_cells_in_space(rows(coords), blocks, bodies)?),
-        }
-    }
-
-    fn of_cells(coords: &[[f64; D]], blocks: &[CellBlock], bodies: Bodies) -> Result<Self, Error> {
+        const { assert!(D == 2 || D == 3, "the plane or space") };
         let Some(Collapsed { blocks, faces }) = Collapsed::of::<D>(blocks) else {
             return Self::of_distinct_nodes(coords, blocks, bodies);
         };
@@ -318,6 +312,7 @@ impl<const D: usize> Surface<D> {
     }
 
     /// Faces of the surface as corner nodes, with the index of their body; a quadrilateral face appears once, with four.
+    #[inline(never)]
     pub fn faces(&self) -> Vec<(usize, Vec<u32>)> {
         match &self.division {
             Some(division) if division.is_divided() => match &self.cells {
@@ -348,16 +343,6 @@ impl<const D: usize> Surface<D> {
         }
         faces
     }
-}
-
-/// [`Surface::from_cells`] in 2D, compiled here.
-fn from_cells_in_plane(coords: &[[f64; 2]], blocks: &[CellBlock], bodies: Bodies) -> Result<Surface<2>, Error> {
-    Surface::of_cells(coords, blocks, bodies)
-}
-
-/// The same in 3D.
-fn from_cells_in_space(coords: &[[f64; 3]], blocks: &[CellBlock], bodies: Bodies) -> Result<Surface<3>, Error> {
-    Surface::of_cells(coords, blocks, bodies)
 }
 
 /// What a node or a node of a cell comes to in cells, faces and depths, some 600 bytes for a hexahedron.

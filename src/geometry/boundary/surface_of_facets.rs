@@ -19,6 +19,7 @@ impl<const D: usize> Surface<D> {
     /// [`Error::Empty`], [`Error::Length`], [`Error::NodeOutOfRange`], [`Error::RepeatedNode`],
     /// [`Error::NonFiniteCoordinate`], [`Error::ZeroMeasure`], [`Error::OpenSurface`], [`Error::NonManifold`],
     /// [`Error::InconsistentOrientation`], [`Error::InvertedSurface`].
+    #[inline(never)]
     pub fn from_facets(coords: &[[f64; D]], facets: &[[u32; D]], bodies: Bodies) -> Result<Self, Error> {
         let facets: Vec<&[u32]> = facets.iter().map(|facet| &facet[..]).collect();
         Self::of_straight_facets(coords, &facets, bodies)
@@ -32,6 +33,7 @@ impl<const D: usize> Surface<D> {
     /// Those of [`Surface::from_facets`]; also [`Error::Dimension`], [`Error::NonConforming`] (an edge that has a node in its
     /// middle in one of two facets) and [`Error::InvertedCell`] (a facet of second order part of which faces away from the
     /// whole: a node nearer than an eighth of its edge to an end of it, along the edge, does that).
+    #[inline(never)]
     pub fn from_facet_blocks(coords: &[[f64; D]], blocks: &[FacetBlock], bodies: Bodies) -> Result<Self, Error> {
         let (division, parts) = Division::of_facets::<D>(coords.len(), blocks)?;
         let parts: Vec<&[u32]> = parts.iter().map(Vec::as_slice).collect();
@@ -48,6 +50,7 @@ impl<const D: usize> Surface<D> {
 
     /// Surface of facets of D nodes, and in space of quadrilaterals.
     fn of_straight_facets(coords: &[[f64; D]], facets: &[&[u32]], bodies: Bodies) -> Result<Self, Error> {
+        const { assert!(D == 2 || D == 3, "the plane or space") };
         if facets.is_empty() {
             return Err(Error::Empty);
         }

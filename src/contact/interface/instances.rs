@@ -1,0 +1,15 @@
+//! Instances, for the plane and for space, of what the C interface does not call: they spare other crates to compile all that is below
+//! these functions.
+
+use crate::contact::evaluation::Contact;
+
+#[used]
+static IN_THE_PLANE: fn(&Contact<2>) = instances;
+#[used]
+static IN_SPACE: fn(&Contact<3>) = instances;
+
+fn instances<const D: usize>(contact: &Contact<D>) {
+    drop(contact.overlaps(&[]));
+    drop(contact.trace(&[]));
+    drop(contact.nodal_penetration(&[], 1.0));
+}
