@@ -36,8 +36,8 @@ RUN_HOSTS = FMC=$(abspath $(TARGET))/release/fmc FMC_PETSC=$(HOSTS)/bin/equilibr
 GETFEM_FOLDERS = hosts/getfem benchmarks/agreement/drivers/getfem benchmarks/peers
 RUN_GETFEM = $(RUN_HOSTS) PYTHONPATH=$(subst $(SPACE),:,$(addprefix $(CURDIR)/,$(GETFEM_FOLDERS)))
 
-# Each has one thread: with -j2 they run side by side.
-HOST_SUITES = skfem dolfinx petsc getfem known-answers agreement
+# Each has one thread: with -j2 they run side by side. The longest chain comes first.
+HOST_SUITES = dolfinx known-answers agreement skfem petsc getfem
 
 .PHONY: $(HOST_SUITES:%=hosts-%)
 hosts: $(HOST_SUITES:%=hosts-%)
