@@ -21,6 +21,15 @@ def blocks(count):
     return coords, np.vstack([cells, cells + len(square)])
 
 
+@pytest.fixture
+def hears_ctrl_c():
+    """Jobs in the background of a shell ignore Ctrl-C, and so does a Python that is started there."""
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    yield
+    signal.signal(signal.SIGINT, before)
+
+
+@pytest.mark.usefixtures("hears_ctrl_c")
 @pytest.mark.parametrize("threads", [1, 3])
 def test_ctrl_c_ends_a_long_call(threads):
     coords, cells = blocks(8)
