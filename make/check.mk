@@ -33,7 +33,7 @@ test: tools
 	@.ci/suites
 
 # Most of these, like each suite of `hosts`, has one thread: side by side they take half the time.
-# Case files need the solver and the benchmarks, a third of the time to build: fuzz-long has them.
+# Case files need the solver and the benchmarks, which take long to build: fuzz-long has them.
 fuzz: export CARGO_PROFILE_RELEASE_OPT_LEVEL = 1
 fuzz:
 	$(SUITE_OF) "fuzz, 60 s" fuzz/run.sh 60 c_calls gmsh inp vtu

@@ -294,6 +294,19 @@ fn public_constants_can_be_macros_of_c() {
     }
 }
 
+/// What takes coordinates does work: other crates would compile all of it again.
+#[test]
+fn evaluations_are_compiled_in_the_library() {
+    for file in sources(&at("src/contact/interface")) {
+        let text = fs::read_to_string(&file).expect("a source");
+        for (before, function) in text.match_indices("\n    pub fn ").map(|(at, _)| text.split_at(at)) {
+            let head = &function[..function.find(" {\n").expect("a body")];
+            let is_kept = before.ends_with("#[inline(never)]") || !head.contains("coords: &[[f64; D]]");
+            assert!(is_kept, "{}: #[inline(never)] for{}", file.display(), head.replace("\n", " "));
+        }
+    }
+}
+
 #[test]
 fn files_hold_one_concept() {
     for file in CRATES.iter().flat_map(|folder| sources(&at(folder))) {

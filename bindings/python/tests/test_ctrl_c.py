@@ -22,16 +22,16 @@ def blocks(count):
 
 
 @pytest.fixture
-def hears_ctrl_c():
-    """Jobs in the background of a shell ignore Ctrl-C, and so does a Python that is started there."""
-    before = signal.signal(signal.SIGINT, signal.default_int_handler)
-    yield
+def on_ctrl_c():
+    """Sets a handler, for a test. Without one a Python that a shell started in the background ignores Ctrl-C."""
+    before = signal.getsignal(signal.SIGINT)
+    yield lambda handler: signal.signal(signal.SIGINT, handler)
     signal.signal(signal.SIGINT, before)
 
 
-@pytest.mark.usefixtures("hears_ctrl_c")
 @pytest.mark.parametrize("threads", [1, 3])
-def test_ctrl_c_ends_a_long_call(threads):
+def test_ctrl_c_ends_a_long_call(threads, on_ctrl_c):
+    on_ctrl_c(signal.default_int_handler)
     coords, cells = blocks(8)
     # Lines for seconds, or minutes.
     contact = Contact(coords, cells, "quad", stiffness=1.0, law="volume", estimator="fibers", spacing=2e-7, threads=threads)
@@ -50,19 +50,16 @@ def test_ctrl_c_ends_a_long_call(threads):
     assert (found.forces == fresh.forces).all() and found.volume == fresh.volume > 0.0
 
 
-def test_a_handler_of_the_program_is_called():
+def test_a_handler_of_the_program_is_called(on_ctrl_c):
     coords, cells = blocks(4)
     contact = Contact(coords, cells, "quad", stiffness=1.0, law="volume", estimator="fibers", spacing=2e-7)
     heard = []
-    before = signal.signal(signal.SIGINT, lambda number, frame: heard.append(number))
-    try:
-        timer = threading.Timer(0.3, os.kill, (os.getpid(), signal.SIGINT))
-        timer.start()
-        with pytest.raises(FmcError) as ended:
-            contact.evaluate(coords)
-        assert heard == [signal.SIGINT] and "ended by its caller" in str(ended.value)
-    finally:
-        signal.signal(signal.SIGINT, before)
+    on_ctrl_c(lambda number, frame: heard.append(number))
+    timer = threading.Timer(0.3, os.kill, (os.getpid(), signal.SIGINT))
+    timer.start()
+    with pytest.raises(FmcError) as ended:
+        contact.evaluate(coords)
+    assert heard == [signal.SIGINT] and "ended by its caller" in str(ended.value)
 
 
 def test_pairs_have_forces():

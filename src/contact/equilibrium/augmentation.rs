@@ -220,7 +220,7 @@ impl<const D: usize> Contact<D> {
         let of_pairs = self.partners.table.own_laws().map(|law| law.stiffened(factor));
         Options { law: options.law, ..options }.check()?;
         of_pairs.into_iter().try_for_each(|law| law.check())?;
-        self.partners.table.stiffen(factor)?;
+        self.partners.table.stiffen(factor);
         changes::options::set(self, options)?;
         self.partners.stiffen_layers(factor, &options.law)?;
         self.history.stiffen(factor, options.friction.has_stiffness_of_law());

@@ -1,5 +1,5 @@
-//! Instances, for the plane and for space, of what the C interface does not call: they spare other crates to compile all that is below
-//! these functions.
+//! Instances, for the plane and for space, of the functions that the C interface does not call. Other crates use them, and need not compile
+//! the library below these functions again.
 
 use crate::contact::evaluation::Contact;
 

@@ -102,14 +102,13 @@ impl<const D: usize> PairTable<D> {
     }
 
     /// Multiplies the stiffness of these laws.
-    pub(crate) fn stiffen(&mut self, factor: f64) -> Result<(), Error> {
+    pub(crate) fn stiffen(&mut self, factor: f64) {
         for entry in self.0.values_mut() {
             if let Some(law) = &mut entry.options.law {
                 *law = law.stiffened(factor);
                 entry.law = Some(pair_law(law));
             }
         }
-        Ok(())
     }
 
     /// The laws that pairs have of their own.

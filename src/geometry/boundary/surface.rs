@@ -69,7 +69,6 @@ impl<const D: usize> Surface<D> {
     /// [`Error::ZeroMeasure`].
     #[inline(never)]
     pub fn from_cells(coords: &[[f64; D]], blocks: &[CellBlock], bodies: Bodies) -> Result<Self, Error> {
-        const { assert!(D == 2 || D == 3, "the plane or space") };
         let Some(Collapsed { blocks, faces }) = Collapsed::of::<D>(blocks) else {
             return Self::of_distinct_nodes(coords, blocks, bodies);
         };
@@ -127,6 +126,7 @@ impl<const D: usize> Surface<D> {
     }
 
     pub(in crate::geometry) fn empty(node_count: usize, body_ids: Vec<i64>, nodes: impl Iterator<Item = u32>) -> Self {
+        const { assert!(D == 2 || D == 3, "the plane or space") };
         let mut nodes: Vec<u32> = nodes.collect();
         nodes.sort_unstable();
         nodes.dedup();

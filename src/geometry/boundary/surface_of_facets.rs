@@ -50,7 +50,6 @@ impl<const D: usize> Surface<D> {
 
     /// Surface of facets of D nodes, and in space of quadrilaterals.
     fn of_straight_facets(coords: &[[f64; D]], facets: &[&[u32]], bodies: Bodies) -> Result<Self, Error> {
-        const { assert!(D == 2 || D == 3, "the plane or space") };
         if facets.is_empty() {
             return Err(Error::Empty);
         }
